@@ -1,0 +1,39 @@
+// math/simd.h - four floats at once, element-wise only: +, -, *, /, square root, compare and select. No horizontal sums and no
+// estimates, so every width and every instruction set gives the bits of the scalar code.
+// GCC and clang vector extensions compile to SSE, NEON, WebAssembly SIMD or plain scalar code.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace brittle {
+
+typedef float Float4 __attribute__((vector_size(16)));
+typedef std::int32_t Mask4 __attribute__((vector_size(16)));  // 0 or -1 per lane, as comparisons give
+
+inline constexpr int kLanes = 4;
+
+inline Float4 splat(float value) { return Float4{value, value, value, value}; }
+inline Float4 select(Mask4 mask, Float4 ifTrue, Float4 ifFalse) {
+  const auto a = __builtin_bit_cast(Mask4, ifTrue);
+  const auto b = __builtin_bit_cast(Mask4, ifFalse);
+  return __builtin_bit_cast(Float4, (a & mask) | (b & ~mask));
+}
+inline Float4 minOf(Float4 a, Float4 b) { return select(b < a, b, a); }
+inline Float4 maxOf(Float4 a, Float4 b) { return select(a < b, b, a); }
+inline Float4 squareRoot(Float4 v) { return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])}; }
+
+/// Four vectors, one per lane.
+struct Vec3x4 {
+  Float4 x{}, y{}, z{};
+};
+
+inline Vec3x4 operator+(const Vec3x4& a, const Vec3x4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3x4 operator*(const Vec3x4& a, Float4 s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Float4 dot(const Vec3x4& a, const Vec3x4& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline Vec3x4 cross(const Vec3x4& a, const Vec3x4& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace brittle

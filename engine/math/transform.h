@@ -1,0 +1,48 @@
+// math/transform.h - rigid poses: rotate, then move.
+#pragma once
+
+#include "engine/math/trig.h"
+#include "engine/math/types.h"
+
+namespace brittle {
+
+/// The rotation by `angle` [rad] about the unit vector `axis`.
+inline Quat rotationAbout(const Vec3& axis, float angle) {
+  const float s = sine(0.5f * angle);
+  return Quat(cosine(0.5f * angle), axis.x() * s, axis.y() * s, axis.z() * s);
+}
+
+/// The rotation about X, then Y, then Z (level files store rotations this way) [rad].
+inline Quat rotationXyz(const Vec3& angles) {
+  return rotationAbout(Vec3::UnitZ(), angles.z()) * rotationAbout(Vec3::UnitY(), angles.y()) *
+         rotationAbout(Vec3::UnitX(), angles.x());
+}
+
+struct Transform {
+  Vec3 position = Vec3::Zero();       // [m]
+  Quat rotation = Quat::Identity();   // unit
+
+  Vec3 toWorld(const Vec3& pointLocal) const { return rotation * pointLocal + position; }
+  Vec3 toLocal(const Vec3& pointWorld) const { return rotation.conjugate() * (pointWorld - position); }
+  Vec3 rotate(const Vec3& vectorLocal) const { return rotation * vectorLocal; }
+  Vec3 unrotate(const Vec3& vectorWorld) const { return rotation.conjugate() * vectorWorld; }
+};
+
+/// First `inner`, then `outer`.
+inline Transform operator*(const Transform& outer, const Transform& inner) {
+  return {outer.toWorld(inner.position), outer.rotation * inner.rotation};
+}
+
+/// `b` as seen from `a`: a * relative == b.
+inline Transform relativeTo(const Transform& a, const Transform& b) {
+  return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
+}
+
+/// The rotation after turning with angular velocity `w` [rad/s] for `dt` [s]; exact for constant w.
+inline Quat integrateRotation(const Quat& q, const Vec3& w, float dt) {
+  const float speed = w.norm();
+  if (speed * dt < 1e-9f) return q;
+  return (rotationAbout(w / speed, speed * dt) * q).normalized();
+}
+
+}  // namespace brittle

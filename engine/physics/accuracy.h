@@ -1,0 +1,57 @@
+// physics/accuracy.h - every knob that trades accuracy for time, in one struct; nothing else changes results.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/physics/manifold.h"
+
+namespace brittle::physics {
+
+/// When glass breaks. The older ways are kept for comparison.
+enum class FractureMode : std::uint8_t {
+  InStep,            // inside the step: the striker leaves with v0 - J/M
+  AfterStep,         // the solver runs with rigid glass first, then it breaks: the striker has bounced already
+  AfterStepBlended,  // the same, then velocities are blended between before and after the step
+};
+
+struct Accuracy {
+  FractureMode fractureMode = FractureMode::InStep;
+  std::int32_t fractureRounds = 3;       // breakings one after another within a tick, 1 to 64; 0: unbounded
+  bool impulseCap = true;                // off: contacts with breakable bodies are rigid until they break (comparison)
+  float blend = 0.5f;                    // AfterStepBlended: v = v_old t + v_new (1 - t) [-], 0 to 1
+  std::int32_t iterations = 10;          // velocity iterations, 1 to 10000
+  std::int32_t positionIterations = 3;   // push-out iterations, 0 to 100
+  std::int32_t substeps = 1;             // 1 to 64; strength is budgeted over all of them
+  ManifoldSettings manifold;
+  float speculativeMargin = 0.02f;       // contacts exist from this far, beside what the motion of the tick needs [m]
+  bool warmStart = true;
+  bool deactivation = true;
+  float patternDensity = 1.0f;           // cracks relative to the material's own number [-], 0.1 to 10
+  float minVolumeScale = 1.0f;           // smallest piece that is a body, relative to the material's [-]
+  std::int32_t maxDebris = 512;          // light pieces alive at once; the oldest are recycled
+  std::int32_t maxBodies = 2048;         // dynamic pieces alive at once; the oldest resting ones become debris
+  float directSolveMassRatio = 50.0f;    // contacts between bodies further apart in mass are solved directly [-]; 0: never
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(fractureMode);
+    a(fractureRounds);
+    a(impulseCap);
+    a(blend);
+    a(iterations);
+    a(positionIterations);
+    a(substeps);
+    a(manifold.kind);
+    a(manifold.recycleDistance);
+    a(speculativeMargin);
+    a(warmStart);
+    a(deactivation);
+    a(patternDensity);
+    a(minVolumeScale);
+    a(maxDebris);
+    a(maxBodies);
+    a(directSolveMassRatio);
+  }
+};
+
+}  // namespace brittle::physics

@@ -1,0 +1,36 @@
+// physics/contact.h - a pair of shapes close enough to matter. Lives from tick to tick and carries the impulses that warm start it.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/archive.h"
+#include "engine/physics/ids.h"
+#include "engine/physics/manifold.h"
+
+namespace brittle::physics {
+
+struct Contact {
+  ShapeHandle a, b;
+  Manifold manifold;
+  float friction = 0.0f;
+  float restitution = 0.0f;
+  bool touching = false;                // had a point within the slop at the end of the last tick
+  bool fromCut = false;                 // between pieces of one breaking
+  std::uint32_t next[2] = {0, 0};       // lists of shape a and shape b: contact slot * 2 + side, or kNoProxy
+  std::uint32_t previous[2] = {0, 0};
+
+  template <class Archive>
+  void serialize(Archive& ar) {
+    ar(a);
+    ar(b);
+    ar(manifold);
+    ar(friction);
+    ar(restitution);
+    ar(touching);
+    ar(fromCut);
+    ar(next);
+    ar(previous);
+  }
+};
+
+}  // namespace brittle::physics

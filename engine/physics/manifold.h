@@ -1,0 +1,73 @@
+// physics/manifold.h - where two shapes touch or are about to: up to 4 points with one normal, kept and refreshed from tick to tick.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/archive.h"
+#include "engine/geometry/gjk.h"
+#include "engine/math/transform.h"
+
+namespace brittle::physics {
+
+inline constexpr int kMaxPoints = 4;
+
+struct ManifoldPoint {
+  Vec3 localA = Vec3::Zero();          // in the local frame of A's body [m]
+  Vec3 localB = Vec3::Zero();
+  float separation = 0.0f;             // along the normal [m]; negative: overlap
+  float normalImpulse = 0.0f;          // accumulated this tick; next tick's warm start [N s]
+  float tangentImpulse[2] = {};
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(localA);
+    a(localB);
+    a(separation);
+    a(normalImpulse);
+    a(tangentImpulse);
+  }
+};
+
+struct Manifold {
+  Vec3 normal = Vec3::UnitY();         // unit, world, from A towards B
+  ManifoldPoint points[kMaxPoints];
+  std::int32_t count = 0;
+  geometry::SimplexCache simplex;
+  // The relative pose the points were computed at: while the pair hardly moves, points are only refreshed (contact recycling).
+  Transform computedAt;
+  bool computed = false;
+  bool seeded = false;                 // came from the cut, not from a search
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(normal);
+    for (ManifoldPoint& point : points) a(point);
+    a(count);
+    a(simplex.count);
+    a(simplex.a);
+    a(simplex.b);
+    a(computedAt.position);
+    a(computedAt.rotation);
+    a(computed);
+    a(seeded);
+  }
+};
+
+enum class ManifoldKind : std::uint8_t {
+  Incremental,  // GJK's closest points, one more each tick, up to 4 kept
+  Clipped,      // the two facing faces clipped against each other, all points at once
+};
+
+struct ManifoldSettings {
+  ManifoldKind kind = ManifoldKind::Clipped;
+  float recycleDistance = 0.1f;  // refresh instead of recompute while the pair moved less than this fraction of the smaller
+                                 // shape's inner radius [-]; 0: always recompute
+};
+
+/// Brings the manifold of a pair up to date: points closer than `margin` [m] (speculative ones have positive separation),
+/// accumulated impulses kept with the points that survive. No points: the pair is further apart than the margin.
+/// `sizeA` and `sizeB` are the inner radii [m], which tolerances are relative to.
+void updateManifold(const geometry::Proxy& a, const Transform& poseA, float sizeA, const geometry::Proxy& b, const Transform& poseB,
+                    float sizeB, float margin, const ManifoldSettings& settings, Manifold& manifold);
+
+}  // namespace brittle::physics

@@ -1,0 +1,67 @@
+// physics/shape.h - a convex (its mesh lives in the mesh pool) or a sphere, and how its surface behaves. Belongs to one body at a
+// time; breaking moves shapes between bodies.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/archive.h"
+#include "engine/geometry/gjk.h"
+#include "engine/geometry/mass.h"
+#include "engine/geometry/mesh_pool.h"
+#include "engine/math/aabb.h"
+#include "engine/physics/ids.h"
+
+namespace brittle::physics {
+
+struct Surface {
+  float density = 1000.0f;          // [kg/m3]
+  float friction = 0.5f;            // Coulomb; a pair uses the geometric mean
+  float restitution = 0.0f;         // a pair uses the larger
+  std::uint32_t category = 1;       // two shapes collide if each one's category is in the other's mask
+  std::uint32_t mask = 0xffffffff;
+};
+
+struct ShapeDef {
+  Surface surface;
+  bool anchored = false;            // holds to the static world (breakable static bodies); see World::anchor
+  std::uint16_t drawMaterial = 0;   // the renderer's
+  std::uint16_t drawFlags = 0;
+  std::uint32_t userData = 0;       // the game's; pieces inherit it
+};
+
+inline constexpr std::uint32_t kNoProxy = 0xffffffff;
+
+struct Shape {
+  BodyHandle body;
+  ShapeHandle next;                 // in its body's list
+  geometry::MeshSlot mesh = geometry::kNoMesh;  // kNoMesh: a sphere
+  Vec3 center = Vec3::Zero();       // sphere only: local centre [m]
+  float radius = 0.0f;              // sphere only [m]
+  float innerRadius = 0.0f;         // half its thinnest extent [m]
+  geometry::MassProperties massProperties;  // unit density, local frame
+  Surface surface;
+  bool anchored = false;
+  bool isPiece = false;             // made by breaking
+  std::uint16_t drawMaterial = 0;
+  std::uint16_t drawFlags = 0;
+  std::uint32_t userData = 0;
+  std::uint32_t proxy = kNoProxy;   // in the broad phase
+  std::uint32_t firstContact = kNoProxy;  // contact edge list, see contact.h
+
+  bool isSphere() const { return mesh == geometry::kNoMesh; }
+
+  template <class Archive>
+  void serialize(Archive& a);
+};
+
+/// The geometry of a shape for GJK and its relatives. Valid until the pool changes.
+inline geometry::Proxy proxyOf(const Shape& shape, const geometry::MeshPool& pool) {
+  if (shape.isSphere()) return {{}, shape.center, shape.radius};
+  return {pool.view(shape.mesh), Vec3::Zero(), 0.0f};
+}
+
+inline bool mayCollide(const Surface& a, const Surface& b) {
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+}  // namespace brittle::physics

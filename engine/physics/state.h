@@ -1,0 +1,48 @@
+// physics/state.h - everything a world is, and the scratch memory of its stages. Only physics' own files look in here.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/slot_pool.h"
+#include "engine/fracture/fracture.h"
+#include "engine/geometry/mesh_pool.h"
+#include "engine/physics/accuracy.h"
+#include "engine/physics/body.h"
+#include "engine/physics/broad_phase.h"
+#include "engine/physics/contact.h"
+#include "engine/physics/debris.h"
+#include "engine/physics/events.h"
+#include "engine/physics/joint.h"
+#include "engine/physics/shape.h"
+#include "engine/physics/solver_body.h"
+
+namespace brittle::physics {
+
+struct State {
+  // The state proper: saved, restored, and hashed by one description (see snapshot.cpp).
+  SlotPool<Body, BodyHandle> bodies;
+  SlotPool<Shape, ShapeHandle> shapes;
+  SlotPool<Contact, ContactHandle> contacts;
+  SlotPool<Joint, JointHandle> joints;
+  SlotPool<Drive, DriveHandle> drives;
+  geometry::MeshPool meshes;
+  DynamicTree tree;
+  Debris debris;
+  Accuracy accuracy;
+  Vec3 gravity = Vec3(0.0f, -9.81f, 0.0f);
+  std::uint64_t seed = 1;
+  std::uint32_t tick = 0;
+  std::uint32_t nextAssembly = 1;
+
+  // Rebuilt every tick; never read across ticks.
+  std::vector<SolverBody> solverBodies;
+  JointSolver jointSolver;
+  Events events;
+  Counters counters;
+
+  Body& bodyOf(const Shape& shape) { return bodies[shape.body]; }
+  const Body& bodyOf(const Shape& shape) const { return bodies[shape.body]; }
+};
+
+}  // namespace brittle::physics

@@ -1,0 +1,90 @@
+# Helpers of the top-level CMakeLists: a library per folder, headers that stand outside a cross compiler's search path,
+# and the Debian packages with the reason each was chosen.
+
+# brittle_target(engine/math OUT): engine/math -> brittle_engine_math
+function(brittle_target folder out)
+  string(REPLACE "/" "_" name ${folder})
+  set(${out} brittle_${name} PARENT_SCOPE)
+endfunction()
+
+# One static library from every .cpp of a folder; a folder of headers alone becomes an interface library.
+function(brittle_library folder)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})
+  brittle_target(${folder} target)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  set(kind PUBLIC)
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    brittle_precompile(${target})
+  else()
+    add_library(${target} INTERFACE)
+    set(kind INTERFACE)
+  endif()
+  target_include_directories(${target} ${kind} ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${target} ${kind} ${ARG_LINK})
+  foreach(dependency ${ARG_DEPENDS})
+    brittle_target(${dependency} name)
+    target_link_libraries(${target} ${kind} ${name})
+  endforeach()
+endfunction()
+
+# Precompiled: the standard library and Eigen only, never a header of ours.
+function(brittle_precompile target)
+  if(NOT TARGET brittle_precompiled)
+    file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
+    add_library(brittle_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(brittle_precompiled PRIVATE Eigen3::Eigen)
+    target_precompile_headers(brittle_precompiled PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cstdint>
+                              <functional> <map> <memory> <span> <string> <string_view> <vector>)
+  endif()
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen)
+  target_precompile_headers(${target} REUSE_FROM brittle_precompiled)
+endfunction()
+
+# A header-only package in /usr/include: a cross compiler must not see the rest of that folder, so it gets a folder of its own.
+function(brittle_header variable header package)
+  find_path(${variable}_DIR ${header} HINTS /usr/include NO_CMAKE_FIND_ROOT_PATH)
+  if(NOT ${variable}_DIR)
+    message(FATAL_ERROR "${header} not found: apt-get install ${package} (tools/setup installs everything)")
+  endif()
+  string(TOLOWER ${variable} name)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/headers/${name})
+  file(CREATE_LINK ${${variable}_DIR}/${header} ${PROJECT_BINARY_DIR}/headers/${name}/${header} SYMBOLIC)
+  add_library(${name} INTERFACE)
+  target_include_directories(${name} SYSTEM INTERFACE ${PROJECT_BINARY_DIR}/headers/${name})
+endfunction()
+
+# The packages beyond the simulation's own, each with why it was chosen.
+macro(brittle_find_packages)
+  find_package(PkgConfig REQUIRED)
+  find_package(SDL2 REQUIRED)      # window, input, audio device: on every platform we aim at
+  find_package(pugixml REQUIRED)   # level XML: fast, keeps offsets for file:line, accepts duplicate attributes
+  find_package(GTest REQUIRED)     # tests
+  find_package(benchmark REQUIRED) # tools/bench
+  find_package(CLI11 REQUIRED)     # command lines with --help: header-only
+  pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)          # off-screen contexts without a display
+  pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)    # off-screen contexts without EGL
+  pkg_check_modules(gles REQUIRED IMPORTED_TARGET glesv2)      # GLES 3 headers (functions are loaded at run time)
+  pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)          # PNG, font rasteriser: header-only
+  pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.2)       # the language and version of the community's levels
+  pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)        # .gz segments, replay compression
+  foreach(package egl osmesa stb lua zlib)
+    add_library(${package} ALIAS PkgConfig::${package})
+  endforeach()
+  add_library(brittle_gles_headers INTERFACE)
+  target_include_directories(brittle_gles_headers SYSTEM INTERFACE ${gles_INCLUDE_DIRS})
+endmacro()
+
+# One test program per folder: tests/FOLDER/test_*.cpp. Further arguments: what it links beside the folder's own library.
+function(brittle_test folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  string(REPLACE "/" "_" name ${folder})
+  add_executable(test_${name} ${sources})
+  brittle_precompile(test_${name})
+  target_compile_definitions(test_${name} PRIVATE BRITTLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BRITTLE_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  target_link_libraries(test_${name} PRIVATE GTest::gtest_main GTest::gmock ${ARGN})
+  add_test(NAME ${folder} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()
