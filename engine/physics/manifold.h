@@ -16,7 +16,6 @@ struct ManifoldPoint {
   Vec3 localB = Vec3::Zero();
   float separation = 0.0f;             // along the normal [m]; negative: overlap
   float normalImpulse = 0.0f;          // accumulated this tick; next tick's warm start [N s]
-  float tangentImpulse[2] = {};
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -24,7 +23,6 @@ struct ManifoldPoint {
     a(localB);
     a(separation);
     a(normalImpulse);
-    a(tangentImpulse);
   }
 };
 
@@ -32,6 +30,9 @@ struct Manifold {
   Vec3 normal = Vec3::UnitY();         // unit, world, from A towards B
   ManifoldPoint points[kMaxPoints];
   std::int32_t count = 0;
+  // Friction acts at the middle of the points: two tangents and a twist about the normal. World; the solver's own.
+  Vec3 frictionImpulse = Vec3::Zero(); // [N s]
+  float twistImpulse = 0.0f;           // [N m s]
   geometry::SimplexCache simplex;
   // The relative pose the points were computed at: while the pair hardly moves, points are only refreshed (contact recycling).
   Transform computedAt;
@@ -43,6 +44,8 @@ struct Manifold {
     a(normal);
     for (ManifoldPoint& point : points) a(point);
     a(count);
+    a(frictionImpulse);
+    a(twistImpulse);
     a(simplex.count);
     a(simplex.a);
     a(simplex.b);
