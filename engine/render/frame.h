@@ -1,0 +1,158 @@
+// render/frame.h - one picture as plain data: what the renderer needs to know and all it knows. Whoever owns the scene fills a Frame
+// (a copy, so that the simulation may go on); the renderer reads it and never asks back. No physics, no game rules, no GL here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/mesh_pool.h"
+#include "engine/math/transform.h"
+
+namespace brittle::render {
+
+/// Red, green, blue as authors and displays write them: sRGB-encoded, 1 is full. The renderer decodes and lights linearly.
+using Rgb = Vec3;
+
+/// An sRGB-encoded RGBA8 colour, R in the lowest byte, as geometry::Vertex stores it. Arguments in [0, 1], clamped.
+std::uint32_t packRgba(const Rgb& color, float alpha = 1.0f);
+inline constexpr std::uint32_t kWhite = 0xffffffff;
+
+/// Looks along its local -Z, X right, Y up.
+struct Camera {
+  Vec3 position = Vec3::Zero();       // [m]
+  Quat rotation = Quat::Identity();   // unit
+  float tanHalfWidth = 0.57735f;      // tangent of half the horizontal field of view (60 degrees)
+  float tanHalfHeight = 0.0f;         // 0: from the picture's aspect, pixels square
+  float nearPlane = 0.1f;             // [m] > 0
+  float farPlane = 100.0f;            // [m]
+};
+
+/// Fog by depth; its colour goes from `bottom` to `top` up the picture. Values outside [0, 1] are legal and clamp after blending.
+struct Fog {
+  Rgb bottom = Rgb(0.45f, 0.60f, 0.72f);
+  Rgb top = Rgb(0.80f, 0.88f, 0.94f);
+  float start = 5.0f;   // [m] of depth where it begins
+  float end = 25.0f;    // [m] where only fog is left; beyond it nothing needs to be submitted
+};
+
+struct Light {
+  Vec3 direction = Vec3(-0.35f, -0.85f, -0.4f);  // where it shines to; normalised by the renderer, zero is straight down
+  Rgb color = Rgb(1.0f, 0.97f, 0.92f);
+  float ambient = 0.55f;                         // share of light that comes from everywhere [0, 1]
+};
+
+/// Indices of the built-in draw materials (MeshInfo::material). The table may be replaced, see Renderer::setMaterials.
+enum BuiltInMaterial : std::uint16_t { kGlass, kMetal, kMatte, kCrystal, kBall, kBuiltInMaterials };
+
+/// A convex of the mesh pool that is to be seen.
+struct VisibleMesh {
+  geometry::MeshSlot slot = 0;
+  std::uint32_t body = 0;           // index into Frame::bodies
+  std::uint16_t material = kGlass;  // index into the material table
+  std::uint32_t tint = kWhite;      // multiplies the vertex colours
+};
+
+/// A sphere drawn from one built-in mesh; its surface pattern shows its rotation.
+struct Sphere {
+  Vec3 position = Vec3::Zero();      // [m]
+  float radius = 0.1f;               // [m]
+  Quat rotation = Quat::Identity();
+  std::uint16_t material = kBall;
+  std::uint32_t color = kWhite;
+};
+
+/// Light debris: a small tumbling tetrahedron.
+struct Crumb {
+  Vec3 position = Vec3::Zero();  // [m]
+  float radius = 0.01f;          // [m]
+  std::uint32_t color = kWhite;
+};
+
+/// An additive round glow facing the camera (sparkle, lamp, particle).
+struct Glow {
+  Vec3 position = Vec3::Zero();  // [m]
+  float radius = 0.1f;           // [m]
+  std::uint32_t color = kWhite;  // alpha scales it
+};
+
+/// An additive beam facing the camera (laser, streak).
+struct Beam {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // [m]
+  float radius = 0.02f;                         // [m]
+  std::uint32_t color = kWhite;
+};
+
+/// A soft shadow on whatever opaque surface is below; spheres cast theirs by themselves (Frame::sphereShadow).
+struct Shadow {
+  Vec3 position = Vec3::Zero();  // centre of what casts it [m]
+  float radius = 0.2f;           // [m]
+  float opacity = 0.4f;          // [0, 1] where it touches the surface
+};
+
+/// Baked room geometry, made by Renderer::createStatic. 0 is null.
+using StaticId = std::uint32_t;
+
+struct VisibleStatic {
+  StaticId id = 0;
+  Vec3 offset = Vec3::Zero();  // where its origin is now [m]
+};
+
+/// A place on the picture: a fraction of it (0 left and top, 1 right and bottom) plus a distance in picture heights.
+struct HudPoint {
+  Vec2 anchor = Vec2::Zero();  // [fraction of width, fraction of height]
+  Vec2 offset = Vec2::Zero();  // [picture heights], x right, y down
+};
+
+/// A filled rectangle centred on `at`.
+struct HudQuad {
+  HudPoint at;
+  Vec2 size = Vec2(0.1f, 0.1f);  // [picture heights]
+  std::uint32_t color = kWhite;
+};
+
+/// A ring or pie about `at`: clockwise from the top.
+struct HudArc {
+  HudPoint at;
+  float inner = 0.0f, outer = 0.05f;  // radii [picture heights]
+  float from = 0.0f, to = 1.0f;       // [turns]
+  std::uint32_t color = kWhite;
+};
+
+enum class HudAlign : std::uint8_t { Left, Center, Right };
+
+/// One line of printable ASCII, vertically centred on `at`; other bytes show as a box.
+struct HudText {
+  HudPoint at;
+  float height = 0.05f;  // of a capital letter [picture heights]
+  HudAlign align = HudAlign::Left;
+  std::uint32_t color = kWhite;
+  std::string text;
+};
+
+struct Frame {
+  Camera camera;
+  Fog fog;
+  Light light;
+
+  std::vector<Transform> bodies;        // by body slot
+  std::vector<VisibleMesh> meshes;      // any order; the renderer sorts
+  std::vector<VisibleStatic> statics;
+  std::vector<Sphere> spheres;
+  std::vector<Crumb> crumbs;
+  std::vector<Glow> glows;
+  std::vector<Beam> beams;
+  std::vector<Shadow> shadows;
+  float sphereShadow = 0.6f;            // opacity of the shadows of spheres; 0: none
+
+  std::vector<HudQuad> quads;           // drawn in this order: quads, arcs, texts
+  std::vector<HudArc> arcs;
+  std::vector<HudText> texts;
+  Vec4 tint = Vec4::Zero();             // colour over the whole picture below the HUD: rgb, alpha
+  Vec4 border = Vec4::Zero();           // the same, strongest at the picture's border (a crash)
+
+  /// Empties the lists, keeping their memory; camera, fog and light stay.
+  void clear();
+};
+
+}  // namespace brittle::render
