@@ -1,0 +1,119 @@
+// game/sim/frame_packet.h - all that the picture and the sound need of one tick, copied out: shares nothing with the live simulation but
+// immutable looks of segments. Meshes are mirrored from Game::meshes(packet.rooms[i].slot) at the same moment.
+//
+// Coordinates are the current room's local frame of this tick (X right, Y up, -Z forward): near the origin, shifted now and then.
+// `originZ` tells by how much, for who must keep something in place over several ticks.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/math/transform.h"
+#include "engine/math/types.h"
+#include "game/sim/event.h"
+
+namespace brittle::sim {
+
+struct Camera {
+  Vec3 position = Vec3(0.0f, 1.0f, 0.0f);  // [m]
+  Quat rotation = Quat::Identity();        // looks along -Z; rolls in rotating rooms
+  Vec3 velocity = Vec3::Zero();            // [m/s]
+  float halfWidthTangent = 0.0f;           // tangent of half the angle from left to right; height follows the picture's aspect
+  float near = 0.0f, far = 0.0f;           // [m]
+};
+
+/// A box of a segment as its mesh is baked from. In the segment's frame: x, y as in the room, z from 0 (its start) to -length.
+struct LookBox {
+  Vec3 center = Vec3::Zero();                                     // [m]
+  Vec3 halfExtents = Vec3::Ones();                                // [m]
+  Vec3 color[3] = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};     // x, y and z faces, linear
+  std::int32_t tile[3] = {0, 0, 0};                               // in the 8 x 8 atlas
+  float tileSize[3] = {1.0f, 1.0f, 1.0f};                         // [m]
+  std::int32_t tileRotation[3] = {0, 0, 0};                       // quarter turns
+  bool reflects = false;
+};
+
+struct LookDecal {
+  Vec3 position = Vec3::Zero();
+  Quat rotation = Quat::Identity();
+  Vec2 size = Vec2::Ones();              // half extents [m]
+  std::int32_t tile = 0;
+  Vec4 color = Vec4::Ones();
+  float blend = 1.0f;                    // 1: normal, 0: additive
+};
+
+/// What a segment looks like: made once when it is placed, never changed.
+struct SegmentLook {
+  std::string name;
+  std::vector<LookBox> boxes;            // the visible ones
+  std::vector<LookDecal> decals;
+  float length = 0.0f;                   // [m]
+  float light[6] = {1, 1, 1, 1, 1, 1};   // left (-X faces), right, top, bottom, front (+Z), back
+  float softShadow = 0.6f;
+};
+
+struct PlacedSegment {
+  std::uint64_t id = 0;                  // unique in a game: a baked mesh can be kept under it
+  Vec3 origin = Vec3::Zero();            // of the segment's frame [m]
+  std::shared_ptr<const SegmentLook> look;
+};
+
+/// The pose of a body slot; vertices of the mesh pool name shapes, shapes name body slots.
+struct BodyPose {
+  Transform pose;
+  std::uint32_t generation = 0;          // 0: the slot is free. A change means another body: do not interpolate
+};
+
+struct BallView {
+  std::uint32_t id = 0;
+  Transform pose;                        // of the centre
+  float radius = 0.0f;                   // [m]
+};
+
+struct CrumbView {
+  Vec3 position = Vec3::Zero();
+  float radius = 0.0f;                   // [m]
+  std::uint32_t color = 0xffffffff;      // RGBA8, R lowest
+};
+
+/// One of the at most two rooms alive: the one the camera is in and the next one.
+struct RoomView {
+  std::uint64_t number = 0;              // counts up through the game
+  std::uint32_t slot = 0;                // 0 or 1: Game::meshes(slot); a new number in a slot means another pool: upload everything
+  Vec3 fogBottom = Vec3::Zero(), fogTop = Vec3::Zero();  // colours, linear, may leave [0, 1]
+  float reverb[3] = {0, 0, 0};           // volume, time [s], low-pass
+  float echo[4] = {0, 0, 0, 0};          // volume, delay [s], feedback, low-pass
+  float lowPass = 0.0f;
+  std::string music, particles;          // names; empty: none
+  std::vector<PlacedSegment> segments;
+  std::vector<BodyPose> bodies;          // by body slot
+  Vec3 bodyOffset = Vec3::Zero();        // added already to every pose of this room
+  std::vector<CrumbView> crumbs;
+};
+
+struct Hud {
+  std::int32_t balls = 0;
+  std::int32_t streak = 0;
+  std::int32_t ballsPerThrow = 1;
+  float distance = 0.0f;                 // displayed, in the level's units
+  float roomProgress = 0.0f;             // 0 to 1
+  float pain = 0.0f;                     // red border, 1 to 0
+  bool gameOver = false;
+  bool levelDone = false;
+};
+
+struct FramePacket {
+  std::uint64_t tick = 0;
+  Camera camera;
+  double originZ = 0.0;                  // local z + originZ is the place along the whole game [m]
+  float fogNear = 0.0f, fogFull = 0.0f;  // depths [m]
+  float shake = 0.0f;                    // camera shake asked for by scripts, 0 to 1
+  std::vector<RoomView> rooms;           // the current one first
+  std::vector<BallView> balls;
+  std::vector<Event> events;
+  Hud hud;
+};
+
+}  // namespace brittle::sim

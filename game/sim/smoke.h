@@ -1,0 +1,52 @@
+// game/sim/smoke.h - scripted games that check themselves: plays a Lua script against a Game and collects what did not hold. Pure: no
+// files but the asset source, no printing; `brittle smoke` and the tests print.
+//
+// The script's functions (named arguments are fields of one table):
+//   level(NAME)                       levels/NAME.xml; before anything else (default "first")
+//   seed(N)                           default 1
+//   mode(NAME)                        "training", "classic", "mayhem", "zen"
+//   room(N)                           start at room N (from 0)
+//   throw{tick=T, x=X, y=Y}           at tick T (default: now) aim at (X, Y) of the plane one unit ahead
+//   run(T)                            play until tick T
+//   restore_at(T)                     play until tick T, save, restore, go on
+//   expect_broken(min[, max])         breakings so far
+//   expect_balls(n)                   balls left
+//   expect_crashes(min[, max])
+//   expect_streak(min[, max])
+//   expect_position{z=Z, within=W}    distance of the camera from its room's start [m]
+//   expect_speed{v=V, within=W}       camera speed [m/s]
+//   expect_room(n)                    number of rooms passed
+//   expect_problems(max)              content problems so far
+//   expect_finite()                   no body was quarantined for a number that is not finite
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/replay/input_frame.h"
+#include "game/sim/game.h"
+
+namespace brittle::sim {
+
+struct SmokeFailure {
+  std::uint64_t tick = 0;
+  std::string text;                // "smoke/x.lua:12: expect_broken: 3, expected 4 to 6"
+};
+
+struct SmokeResult {
+  std::vector<SmokeFailure> failures;
+  std::vector<std::string> problems;   // content problems met
+  std::uint64_t ticks = 0;
+  std::uint64_t stateHash = 0;         // at the end
+  std::uint32_t checks = 0;            // expectations tested
+  GameDef def;                         // with `inputs`: enough to record the run as a replay
+  std::vector<replay::InputFrame> inputs;
+  bool passed() const { return failures.empty(); }
+};
+
+/// Plays the script `source`, named `name` in messages. A script that is wrong is a failure, not an error.
+SmokeResult runSmoke(const content::AssetSource& assets, const std::string& name, const std::string& source,
+                     const physics::Accuracy& accuracy = {});
+
+}  // namespace brittle::sim
