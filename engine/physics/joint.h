@@ -4,15 +4,20 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/core/archive.h"
 #include "engine/math/transform.h"
 #include "engine/physics/ids.h"
+#include "engine/physics/joint_rows.h"
 
 namespace brittle::physics {
 
 enum class JointType : std::uint8_t { Ball, Hinge, Slider, Rope, Weld };
 
+/// The coordinate of a hinge or slider is that of A relative to B, about or along `axis` (B is the frame or rail, A turns or
+/// slides), so a positive motor speed moves A forward when B is the world. Of a body of several shapes the one that holds the
+/// anchor is jointed (ties: the one given).
 struct JointDef {
   JointType type = JointType::Ball;
   ShapeHandle a;                       // must be a shape
@@ -21,7 +26,7 @@ struct JointDef {
   Vec3 anchorB = Vec3::Zero();         // world, now; ignored except by ropes (others share anchorA)
   Vec3 axis = Vec3::UnitY();           // hinge and slider: unit, world, now
   float length = -1.0f;                // rope: longest distance of the anchors [m]; negative: as they are now
-  bool limited = false;                // hinge [rad] and slider [m]: keep the coordinate in [lower, upper], 0 as created
+  bool limited = false;                // hinge [rad, -pi to pi] and slider [m]: keep the coordinate in [lower, upper], 0 as created
   float lower = 0.0f, upper = 0.0f;
   bool motor = false;                  // hinge and slider: drive the coordinate's speed ...
   float motorSpeed = 0.0f;             // ... to this [rad/s or m/s] ...
@@ -43,33 +48,70 @@ struct Joint {
   bool motor = false;
   float motorSpeed = 0.0f, motorLimit = 0.0f;
   bool collideConnected = false;
-  // Accumulated this tick; next tick's warm start [N s, N m s].
+  float gapA = 0.0f, gapB = 0.0f;      // from the anchor to the shape that holds it, as created [m]
+  // Accumulated this tick; next tick's warm start; on A, B takes the opposite [N s, N m s].
   Vec3 linearImpulse = Vec3::Zero();
   Vec3 angularImpulse = Vec3::Zero();
   float limitImpulse = 0.0f;
   float motorImpulse = 0.0f;
 
   template <class Archive>
-  void serialize(Archive& a);
+  void serialize(Archive& ar) {
+    ar(type);
+    ar(a);
+    ar(b);
+    ar(localAnchorA);
+    ar(localAnchorB);
+    ar(localAxisA);
+    ar(localAxisB);
+    ar(referenceRotation);
+    ar(length);
+    ar(limited);
+    ar(lower);
+    ar(upper);
+    ar(motor);
+    ar(motorSpeed);
+    ar(motorLimit);
+    ar(collideConnected);
+    ar(gapA);
+    ar(gapB);
+    ar(linearImpulse);
+    ar(angularImpulse);
+    ar(limitImpulse);
+    ar(motorImpulse);
+  }
 };
 
-/// Pulls a body towards a pose, softly: an obstacle that can be knocked out of its way. Acts on every body that the shapes of
-/// an assembly now belong to, each once.
+/// Pulls a body towards a pose, softly: an obstacle that can be knocked out of its way. Acts on every dynamic body that the shapes
+/// of an assembly now belong to, each once. The force law, per body of mass m [kg] and inertia I [kg m2]: the drive carries the
+/// weight of what it moves, and beside that pushes with at most strength * 20 m/s2 * m [N] and turns with at most
+/// strength * 40 rad/s2 * I [N m] towards the speed from which it can just stop at the target, but no faster than the limits
+/// below. From strength 100 on both are unlimited.
 struct DriveDef {
   std::uint32_t assembly = 0;
   bool drivePosition = false;
   Vec3 position = Vec3::Zero();        // world target of the assembly's original body frame [m]
   bool driveRotation = false;
   Quat rotation = Quat::Identity();
-  float strength = 10.0f;              // 1: soft, 10: firm, 100: rigid [-]; see joint.cpp for the force it stands for
+  float strength = 10.0f;              // 1: soft, 10: firm, 100: rigid [-], above 0
   float maxSpeed = 10.0f;              // [m/s]
   float maxAngularSpeed = 10.0f;       // [rad/s]
 };
 
 struct Drive {
   DriveDef def;
+
   template <class Archive>
-  void serialize(Archive& a);
+  void serialize(Archive& ar) {
+    ar(def.assembly);
+    ar(def.drivePosition);
+    ar(def.position);
+    ar(def.driveRotation);
+    ar(def.rotation);
+    ar(def.strength);
+    ar(def.maxSpeed);
+    ar(def.maxAngularSpeed);
+  }
 };
 
 struct State;
@@ -79,21 +121,40 @@ struct SolverBody;
 /// store at the end. Works on solver bodies (see solver_body.h) indexed by body slot.
 class JointSolver {
  public:
-  void prepare(const State& state, float dt);
+  /// Reads poses from the bodies, inverse masses from State::solverBodies, which must be filled. `isFirstRound` false: a later
+  /// fracture round of the same tick, without warmStart: what was spent so far (stored before) goes on counting.
+  void prepare(const State& state, float dt, bool isFirstRound = true);
   void warmStart(SolverBody* bodies) const;
   void solve(SolverBody* bodies);
   /// Pushes anchors together by moving positions only (no velocity is touched). One pass.
   void correctPositions(State& state);
   void store(State& state) const;
-  bool isEmpty() const { return rows_ == 0; }
+  bool isEmpty() const { return joints_.empty() && drives_.empty(); }
 
  private:
-  std::uint32_t rows_ = 0;
+  void prepareDrives(const State& state, float dt, bool isFirstRound);
+
+  std::vector<PreparedJoint> joints_;    // by joint slot
+  std::vector<PreparedDrive> drives_;    // by body slot, then drive slot
+  std::vector<PreparedDrive> spent_;     // of the round before
+  std::vector<AssemblyDrive> assemblies_;  // sorted
+  float dt_ = 0.0f;
+  bool backwards_ = false;
 };
 
 /// After `source` was replaced by pieces (still in the local frame of its body): joints whose anchor lay in `source` move to the
-/// piece that contains the anchor (ties: the first), else to the nearest within `slop` [m], else are removed. `source` may be
-/// among the pieces. Returns how many were removed.
+/// piece that contains the anchor (ties: the first), else to the nearest within `slop` [m] (anchors that stood off the shape when
+/// created: within that distance more), else are removed. `source` may be among the pieces. Returns how many were removed.
 std::uint32_t moveJoints(State& state, ShapeHandle source, const ShapeHandle* pieces, std::uint32_t count, float slop);
+
+/// True if a joint with collideConnected off holds the two bodies together. Linear in the number of joints.
+bool jointForbidsCollision(const State& state, BodyHandle a, BodyHandle b);
+
+/// Wakes sleeping bodies that a joint holds to a moving one, that a motor turns or that a drive has not at its target yet. Before
+/// the velocities of a tick are integrated.
+void wakeByJoints(State& state);
+
+/// Joints to the world and targets of drives after the origin moved by `offset` [m].
+void shiftJoints(State& state, const Vec3& offset);
 
 }  // namespace brittle::physics
