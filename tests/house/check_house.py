@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "engine/physics": ["engine/core", "engine/math", "engine/geometry", "engine/effects", "engine/fracture"],
     "engine/render": ["engine/core", "engine/math", "engine/effects", "engine/geometry"],
     "engine/audio": ["engine/core", "engine/math", "engine/effects"],
-    "engine/script": ["engine/core"],
+    "engine/script": ["engine/core", "engine/math"],
     "engine/replay": ["engine/core"],
     "engine/runtime": ["engine/core", "engine/replay"],
     "game/content": ["engine/core", "engine/math", "engine/effects", "engine/script"],

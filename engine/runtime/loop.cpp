@@ -1,0 +1,47 @@
+#include "engine/runtime/loop.h"
+
+namespace brittle::runtime {
+
+Loop::Loop(Platform& platform, Client& client) : platform_(platform), client_(client), lastSeconds_(platform.seconds()) {}
+
+bool Loop::frame() {
+  handleEvents();
+  for (int due = ticksDue(); due > 0; --due) client_.tick(input_.take());
+  client_.draw(step_.alpha(), platform_.size(), paused_);
+  platform_.swap();
+  return !quit_ && !client_.isDone();
+}
+
+/// Time passes while the loop is paused, but no tick becomes due: play goes on where it stopped.
+int Loop::ticksDue() {
+  const double now = platform_.seconds();
+  const double elapsed = now - lastSeconds_;
+  lastSeconds_ = now;
+  return paused_ ? 0 : step_.advance(elapsed);
+}
+
+void Loop::handleEvents() {
+  events_.clear();
+  platform_.pollEvents(events_);
+  input_.setView(platform_.size(), client_.tanHalfWidth());
+  for (const Event& event : events_) {
+    const bool pressed = event.kind == EventKind::KeyDown && !event.repeated;
+    const bool leaves = pressed && (event.key == Key::Escape || event.key == Key::Back);
+    if (event.kind == EventKind::Quit || leaves) {
+      quit_ = true;
+    } else if (event.kind == EventKind::FocusLost) {
+      paused_ = true;
+      input_.clear();
+    } else if (event.kind == EventKind::FocusGained) {
+      paused_ = false;
+    } else if (pressed && event.key == Key::Character && event.character == 'p') {
+      paused_ = !paused_;
+    } else if (!paused_) {
+      input_.add(event);
+    } else if (event.kind == EventKind::PointerDown) {
+      paused_ = false;  // the touch that comes back to the game is not a throw
+    }
+  }
+}
+
+}  // namespace brittle::runtime

@@ -1,0 +1,47 @@
+// runtime/loop.h - the main loop: events, ticks, picture. Drives anything that ticks and draws; knows neither the game nor GL, and its
+// clock is the platform's, so tests run it in made-up time.
+#pragma once
+
+#include <vector>
+
+#include "engine/runtime/fixed_step.h"
+#include "engine/runtime/input_collector.h"
+#include "engine/runtime/platform.h"
+
+namespace brittle::runtime {
+
+/// What the loop runs.
+class Client {
+ public:
+  virtual ~Client() = default;
+  virtual void tick(const replay::InputFrame& input) = 0;
+  /// A picture between the last two ticks: `alpha` 0 is the one before, 1 the last.
+  virtual void draw(float alpha, PictureSize size, bool paused) = 0;
+  /// Tangent of half the angle between the picture's left and right border, now.
+  virtual float tanHalfWidth() const = 0;
+  /// True ends the loop after this frame.
+  virtual bool isDone() const = 0;
+};
+
+class Loop {
+ public:
+  Loop(Platform& platform, Client& client);
+  /// One frame. False when the window was closed or the client is done.
+  bool frame();
+  bool isPaused() const { return paused_; }
+
+ private:
+  void handleEvents();
+  int ticksDue();
+
+  Platform& platform_;
+  Client& client_;
+  FixedStep step_;
+  InputCollector input_;
+  std::vector<Event> events_;
+  double lastSeconds_;
+  bool paused_ = false;
+  bool quit_ = false;
+};
+
+}  // namespace brittle::runtime

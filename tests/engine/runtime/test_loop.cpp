@@ -1,0 +1,154 @@
+#include "engine/runtime/loop.h"
+
+#include <gtest/gtest.h>
+
+namespace brittle::runtime {
+namespace {
+
+class MadeUpPlatform : public Platform {
+ public:
+  PictureSize size() const override { return {640, 360}; }
+  void pollEvents(std::vector<Event>& events) override {
+    events.insert(events.end(), waiting.begin(), waiting.end());
+    waiting.clear();
+  }
+  void swap() override { ++swaps; }
+  GlLoader glLoader() const override { return nullptr; }
+  bool hasDefaultFramebuffer() const override { return true; }
+  double seconds() const override { return now; }
+  void sleep(double) override {}
+
+  std::vector<Event> waiting;
+  double now = 100.0;
+  int swaps = 0;
+};
+
+class CountingClient : public Client {
+ public:
+  void tick(const replay::InputFrame& input) override { inputs.push_back(input); }
+  void draw(float alpha, PictureSize, bool isPaused) override {
+    alphas.push_back(alpha);
+    pausedWhenDrawn = isPaused;
+  }
+  float tanHalfWidth() const override { return 1.0f; }
+  bool isDone() const override { return done; }
+
+  std::vector<replay::InputFrame> inputs;
+  std::vector<float> alphas;
+  bool pausedWhenDrawn = false;
+  bool done = false;
+};
+
+Event pointerDown(float x, float y) {
+  Event event;
+  event.kind = EventKind::PointerDown;
+  event.x = x, event.y = y;
+  return event;
+}
+Event of(EventKind kind) {
+  Event event;
+  event.kind = kind;
+  return event;
+}
+Event key(char character) {
+  Event event;
+  event.kind = EventKind::KeyDown;
+  event.key = Key::Character;
+  event.character = character;
+  return event;
+}
+
+class LoopTest : public testing::Test {
+ protected:
+  /// A frame `ticks` [ticks] after the last one.
+  bool frame(double ticks = 1.0) {
+    platform.now += ticks * kTickSeconds;
+    return loop.frame();
+  }
+  MadeUpPlatform platform;
+  CountingClient client;
+  Loop loop{platform, client};
+};
+
+TEST_F(LoopTest, OneTickAndOnePictureAFrame) {
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(frame());
+  EXPECT_EQ(client.inputs.size(), 5u);
+  EXPECT_EQ(client.alphas.size(), 5u);
+  EXPECT_EQ(platform.swaps, 5);
+}
+
+TEST_F(LoopTest, ATouchIsOneThrowInOneTick) {
+  platform.waiting = {pointerDown(640.0f, 180.0f)};
+  frame(3.0);
+  ASSERT_EQ(client.inputs.size(), 3u);
+  ASSERT_EQ(client.inputs[0].throws.size(), 1u);
+  EXPECT_EQ(client.inputs[0].throws[0], (replay::Throw{8192, 0})) << "the right border is the tangent 1";
+  EXPECT_TRUE(client.inputs[1].throws.empty());
+}
+
+TEST_F(LoopTest, ATouchInAFrameWithoutATickIsKept) {
+  platform.waiting = {pointerDown(320.0f, 0.0f)};
+  frame(0.25);
+  EXPECT_TRUE(client.inputs.empty());
+  frame(1.0);
+  ASSERT_EQ(client.inputs.size(), 1u);
+  ASSERT_EQ(client.inputs[0].throws.size(), 1u);
+  EXPECT_EQ(client.inputs[0].throws[0], (replay::Throw{0, 4608})) << "up is 180 of 320 pixels";
+}
+
+TEST_F(LoopTest, MoreThrowsThanATickTakesWaitInOrder) {
+  for (int i = 0; i < 10; ++i) platform.waiting.push_back(pointerDown(320.0f + static_cast<float>(i), 180.0f));
+  frame();
+  frame();
+  ASSERT_EQ(client.inputs[0].throws.size(), static_cast<std::size_t>(replay::kMaxThrows));
+  ASSERT_EQ(client.inputs[1].throws.size(), 2u);
+  EXPECT_LT(client.inputs[0].throws.back().x, client.inputs[1].throws.front().x);
+}
+
+TEST_F(LoopTest, LosingFocusPausesWithoutATickAndWithAPicture) {
+  frame();
+  platform.waiting = {of(EventKind::FocusLost)};
+  frame();
+  frame(500.0);
+  EXPECT_TRUE(client.pausedWhenDrawn);
+  EXPECT_EQ(client.inputs.size(), 1u);
+  EXPECT_EQ(client.alphas.size(), 3u);
+  platform.waiting = {of(EventKind::FocusGained)};
+  frame();
+  EXPECT_EQ(client.inputs.size(), 2u) << "the time away is not made up for";
+}
+
+TEST_F(LoopTest, TheTouchThatEndsAPauseIsNotAThrow) {
+  platform.waiting = {key('p')};
+  frame();
+  EXPECT_TRUE(loop.isPaused());
+  platform.waiting = {pointerDown(1.0f, 1.0f)};
+  frame();
+  EXPECT_FALSE(loop.isPaused());
+  EXPECT_TRUE(client.inputs.back().throws.empty());
+}
+
+TEST_F(LoopTest, RestartIsAButtonOfTheInputFrame) {
+  platform.waiting = {key('r')};
+  frame(2.0);
+  EXPECT_EQ(client.inputs[0].buttons, static_cast<std::uint8_t>(replay::Button::Restart));
+  EXPECT_EQ(client.inputs[1].buttons, 0);
+}
+
+TEST_F(LoopTest, EndsWhenClosedOrDone) {
+  platform.waiting = {of(EventKind::Quit)};
+  EXPECT_FALSE(frame());
+  CountingClient finished;
+  finished.done = true;
+  EXPECT_FALSE(Loop(platform, finished).frame());
+}
+
+TEST_F(LoopTest, AWindowWithoutHeightThrowsNothing) {
+  InputCollector collector;
+  collector.setView({0, 0}, 1.0f);
+  collector.add(pointerDown(5.0f, 5.0f));
+  EXPECT_TRUE(collector.take().throws.empty());
+}
+
+}  // namespace
+}  // namespace brittle::runtime
