@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,17 @@ namespace brittle::fracture {
 
 /// Where and how it was hit, in the compound's local frame.
 struct Impact {
-  Vec3 point = Vec3::Zero();           // [m]
+  Vec3 point = Vec3::Zero();           // where the striker's centre line meets the body [m]; outside: the nearest point is struck
   Vec3 direction = -Vec3::UnitZ();     // unit, the way the striker goes, relative to the compound
   float speed = 0.0f;                  // [m/s], along `direction`
   float strikerRadius = 0.0f;          // bounding radius of the striker across `direction` [m]; the hole lets it through
+};
+
+/// Where a part touches static geometry: the corners of the contact area, a convex polygon in the compound's frame. One or two
+/// points stand for themselves.
+struct Anchor {
+  Vec3 points[8];                      // in order around the area [m]
+  std::uint32_t pointCount = 0;        // up to 8
 };
 
 /// One convex of the compound that breaks.
@@ -27,9 +35,10 @@ struct Part {
   geometry::ConvexView convex;
   bool anchored = false;               // touches static geometry: what is connected to it stays
   std::uint32_t id = 0;                // the caller's, handed back in Piece::source
+  std::span<const Anchor> anchors = {};  // where; a piece holds only if it still touches one. Empty: every remaining piece does
 };
 
-/// A convex of the result. `convex` is empty if the part of this id was not touched by any cut.
+/// A convex of the result.
 struct Piece {
   std::uint32_t source = 0;            // Part::id it came from
   bool isWhole = false;                // the source part itself, uncut
@@ -75,6 +84,11 @@ struct Fracture {
 /// All scratch memory of a breaking, so that a warm one allocates nothing.
 class Fracturer {
  public:
+  Fracturer();
+  ~Fracturer();
+  Fracturer(Fracturer&& other) noexcept;
+  Fracturer& operator=(Fracturer&& other) noexcept;
+
   /// Breaks the compound `parts` hit by `impacts` (at least one; all carved). `crackSlop` [m] is the gap below which facing faces
   /// still hang together. Sum of piece and crumb volumes equals the parts' to 1e-6. The same arguments give the same bits.
   const Fracture& fracture(std::span<const Part> parts, std::span<const Impact> impacts, const FractureMaterial& material,
@@ -82,7 +96,7 @@ class Fracturer {
 
  private:
   struct Scratch;
-  Fracture result_;
+  std::unique_ptr<Scratch> scratch_;
 };
 
 /// Groups a compound by connection without cutting anything (at load, and after a part is taken away). For each part its group;
