@@ -57,6 +57,7 @@ class MeshPool {
 
   /// Everything, free lists included: restored, the pool behaves bit for bit as the saved one.
   void save(ByteWriter& out) const;
+  /// False, the reader bad and the pool empty, if the bytes are not a pool's. All vertices are dirty afterwards.
   bool restore(ByteReader& in);
 
  private:
@@ -70,6 +71,8 @@ class MeshPool {
   Range allocate(FreeList& list, std::vector<T>& storage, std::uint32_t count);
   static void release(FreeList& list, Range range);
   void write(MeshSlot slot, const ConvexView& convex);
+  bool read(ByteReader& in);
+  bool isConsistent() const;
 
   std::vector<MeshInfo> meshes_;
   std::vector<MeshSlot> freeSlots_;

@@ -20,9 +20,16 @@ struct CutMark {
 /// Scratch memory of a split, kept by the caller so that repeated splits allocate nothing.
 template <class S>
 struct SplitScratchT {
+  /// A face crossed by the plane: the half-edge that goes up through it and the one that comes down.
+  struct CutFace {
+    std::uint32_t up;
+    std::uint32_t down;
+  };
   std::vector<S> distances;
   std::vector<std::uint8_t> sides;
   std::vector<std::uint32_t> indices;
+  std::vector<CutFace> cut;
+  std::vector<VertexT<S>> caps;
 };
 using SplitScratch = SplitScratchT<float>;
 

@@ -1,0 +1,150 @@
+// The stress of the split tests: a unit cube, cut one random piece at a time until there are 512, then again. Planes are random, or
+// go on purpose through what is there already, where rounding leaves no sign to be trusted.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/random.h"
+#include "engine/geometry/convex.h"
+#include "engine/geometry/make.h"
+#include "engine/geometry/split.h"
+
+namespace brittle::geometry {
+
+enum class CutMode { AtRandom, ThroughVertex, ThroughEdge, OnFace };
+inline constexpr CutMode kCutModes[] = {CutMode::AtRandom, CutMode::ThroughVertex, CutMode::ThroughEdge, CutMode::OnFace};
+inline constexpr const char* kCutModeNames[] = {"random", "vertex", "edge", "face"};
+
+/// One piece of a cut cube, or all of it. Edges of float pieces are moved into S exactly.
+template <class S>
+class CutCube {
+ public:
+  static constexpr std::size_t kMostPieces = 512;
+
+  CutCube(CutMode mode, std::uint64_t seed) : random(seed), mode_(mode), pieces_(kMostPieces) { restart(); }
+
+  /// Chooses a piece and a plane, cuts, and keeps both parts. The pieces are then `above` and `below`, `parent` the one before.
+  SplitOutcome step() {
+    if (count_ == kMostPieces) restart();
+    chosen = random.nextBelow(static_cast<std::uint32_t>(count_));
+    parent.assign(pieces_[chosen].view());
+    plane = choosePlane();
+    const SplitOutcome outcome = split<S>(parent.view(), plane, {++cuts_, FaceKind::Cut}, scratch_, above, below);
+    if (outcome != SplitOutcome::Split) return outcome;
+    pieces_[chosen].assign(above.view());
+    pieces_[count_++].assign(below.view());
+    return outcome;
+  }
+
+  std::size_t count() const { return count_; }
+  const ConvexT<S>& piece(std::size_t i) const { return pieces_[i]; }
+
+  Random random;
+  std::uint32_t chosen = 0;
+  PlaneT<S> plane;
+  ConvexT<S> parent, above, below;
+
+ private:
+  void restart() {
+    count_ = 1;
+    pieces_[0].assign(makeBox<S>(Vec3T<S>(S(0.5), S(0.5), S(0.5))).view());
+  }
+
+  S draw() { return S(random.nextFloat(-1.0f, 1.0f)); }
+
+  Vec3T<S> drawVector() {
+    const S x = draw();
+    const S y = draw();
+    const S z = draw();
+    return Vec3T<S>(x, y, z);
+  }
+
+  /// Unit, or any length for exact scalars.
+  static bool normalize(Vec3T<S>& vector) {
+    const S square = vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
+    if (!(S(1e-20f) < square)) return false;
+    if constexpr (!std::numeric_limits<S>::is_exact) {
+      const S length = std::sqrt(square);
+      for (int i = 0; i < 3; ++i) vector[i] /= length;
+    }
+    return true;
+  }
+
+  static S dotOf(const Vec3T<S>& a, const Vec3T<S>& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+
+  Vec3T<S> drawDirection() {
+    for (;;) {
+      Vec3T<S> direction = drawVector();
+      if (normalize(direction)) return direction;
+    }
+  }
+
+  PlaneT<S> choosePlane() {
+    if (mode_ == CutMode::OnFace) {
+      const ConvexT<S>& other = pieces_[random.nextBelow(static_cast<std::uint32_t>(count_))];
+      const PlaneT<S> found = other.faces[random.nextBelow(static_cast<std::uint32_t>(other.faces.size()))].plane;
+      // Few planes are shared by chance: every fourth cut is fresh, so that there are pieces to cut.
+      const std::uint32_t kind = random.nextBelow(4);
+      if (kind != 0) return kind == 1 ? found.flipped() : found;
+    }
+    const auto edge = random.nextBelow(static_cast<std::uint32_t>(parent.edges.size()));
+    const Vec3T<S> start = parent.view().startOf(edge);
+    const Vec3T<S> end = parent.view().endOf(edge);
+    Vec3T<S> normal = drawDirection();
+    if (mode_ == CutMode::ThroughEdge) {
+      const Vec3T<S> along(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+      Vec3T<S> across(along[1] * normal[2] - along[2] * normal[1], along[2] * normal[0] - along[0] * normal[2],
+                      along[0] * normal[1] - along[1] * normal[0]);
+      if (normalize(across)) normal = across;
+    }
+    if (mode_ == CutMode::ThroughVertex || mode_ == CutMode::ThroughEdge) return {normal, jitter(dotOf(normal, start))};
+    S offset = S(0);  // between corners, so that the plane mostly meets the piece
+    for (int i = 0; i < 3; ++i) {
+      const auto& corner = parent.vertices[random.nextBelow(static_cast<std::uint32_t>(parent.vertices.size()))].point;
+      offset += dotOf(normal, corner) / S(3);
+    }
+    return {normal, offset};
+  }
+
+  /// The offset itself, or its neighbour among floats on either side.
+  S jitter(const S& offset) {
+    const std::uint32_t kind = random.nextBelow(3);
+    if constexpr (!std::numeric_limits<S>::is_exact) {
+      if (kind != 0) return std::nextafter(offset, kind == 1 ? S(8) : S(-8));
+    }
+    return offset;
+  }
+
+  CutMode mode_;
+  std::uint32_t cuts_ = 0;
+  std::vector<ConvexT<S>> pieces_;
+  std::size_t count_ = 0;
+  SplitScratchT<S> scratch_;
+};
+
+/// Volume summed in A over tetrahedra from the first vertex. [m3]
+template <class A, class S>
+A volumeOf(const ConvexT<S>& convex) {
+  A sum = A(0);
+  const ConvexViewT<S> view = convex.view();
+  const Vec3T<S>& origin = convex.vertices[0].point;
+  const auto relative = [&](std::uint32_t edge, A (&out)[3]) {
+    for (int i = 0; i < 3; ++i) out[i] = A(view.startOf(edge)[i]) - A(origin[i]);
+  };
+  for (const FaceT<S>& face : convex.faces) {
+    A a[3], b[3], c[3];
+    relative(face.edge, a);
+    std::uint32_t edge = convex.edges[face.edge].next;
+    relative(edge, b);
+    for (edge = convex.edges[edge].next; edge != face.edge; edge = convex.edges[edge].next) {
+      relative(edge, c);
+      sum += a[0] * A(b[1] * c[2] - b[2] * c[1]) + a[1] * A(b[2] * c[0] - b[0] * c[2]) + a[2] * A(b[0] * c[1] - b[1] * c[0]);
+      for (int i = 0; i < 3; ++i) b[i] = c[i];
+    }
+  }
+  return sum / A(6);
+}
+
+}  // namespace brittle::geometry
