@@ -88,3 +88,11 @@ function(brittle_test folder)
   target_link_libraries(test_${name} PRIVATE GTest::gtest_main GTest::gmock ${ARGN})
   add_test(NAME ${folder} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
+
+# One program per folder of tools/: every .cpp in it, linked with the libraries named.
+function(brittle_program name)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/${name}/*.cpp)
+  add_executable(${name} ${sources})
+  brittle_precompile(${name})
+  target_link_libraries(${name} PRIVATE ${ARGN})
+endfunction()
