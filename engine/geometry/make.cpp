@@ -33,26 +33,6 @@ Plane planeWith(const ConvexView& convex, std::uint32_t face, const Vec3d& norma
   return {rounded, static_cast<float>(meanOffset(convex, face, rounded.cast<double>()))};
 }
 
-/// Planes through the corners of every face. Source: Newell's method, in Sutherland, Sproull, Schumacker, A Characterization of
-/// Ten Hidden-Surface Algorithms, 1974.
-void fitPlanes(Convex& convex) {
-  const ConvexView view = convex.view();
-  for (std::uint32_t i = 0; i < convex.faces.size(); ++i) {
-    const std::uint32_t first = convex.faces[i].edge;
-    const Vec3d origin = pointOf(view, first);
-    Vec3d doubleArea = Vec3d::Zero();
-    for (std::uint32_t edge = first;;) {
-      const std::uint32_t next = convex.edges[edge].next;
-      const Vec3d a = pointOf(view, edge) - origin;
-      const Vec3d b = pointOf(view, next) - origin;
-      doubleArea += a.cross(b);
-      if (next == first) break;
-      edge = next;
-    }
-    convex.faces[i].plane = planeWith(view, i, doubleArea.normalized());
-  }
-}
-
 /// Two equal polygons, `bottom` and `top` vertices 0..n-1 and n..2n-1, with quads between them. Seen from the top side the
 /// polygon runs counter-clockwise.
 Convex makeBetween(std::vector<Vertex> vertices) {
@@ -71,7 +51,7 @@ Convex makeBetween(std::vector<Vertex> vertices) {
   }
   const bool isLinked = make_detail::linkLoops(loops, convex);
   BR_ASSERT(isLinked);
-  fitPlanes(convex);
+  make_detail::fitPlanes(convex);
   return convex;
 }
 
@@ -105,6 +85,24 @@ const char* findPolygonError(std::span<const Vec2> polygon) {
 }
 
 }  // namespace
+
+void make_detail::fitPlanes(Convex& convex) {
+  const ConvexView view = convex.view();
+  for (std::uint32_t i = 0; i < convex.faces.size(); ++i) {
+    const std::uint32_t first = convex.faces[i].edge;
+    const Vec3d origin = pointOf(view, first);
+    Vec3d doubleArea = Vec3d::Zero();
+    for (std::uint32_t edge = first;;) {
+      const std::uint32_t next = convex.edges[edge].next;
+      const Vec3d a = pointOf(view, edge) - origin;
+      const Vec3d b = pointOf(view, next) - origin;
+      doubleArea += a.cross(b);
+      if (next == first) break;
+      edge = next;
+    }
+    convex.faces[i].plane = planeWith(view, i, doubleArea.normalized());
+  }
+}
 
 Convex makeCylinder(float radius, float halfHeight, int sides, bool smooth) {
   BR_ASSERT(radius > 0.0f && halfHeight > 0.0f && sides >= 3 && sides <= 10000);

@@ -53,6 +53,10 @@ bool linkLoops(const Loops& loops, ConvexT<S>& convex) {
   return true;
 }
 
+/// Planes through the corners of every face, summed in double. Source: Newell's method, in Sutherland, Sproull, Schumacker, A
+/// Characterization of Ten Hidden-Surface Algorithms, 1974.
+void fitPlanes(Convex& convex);
+
 }  // namespace brittle::geometry::make_detail
 
 namespace brittle::geometry {
