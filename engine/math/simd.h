@@ -23,17 +23,30 @@ inline Float4 minOf(Float4 a, Float4 b) { return select(b < a, b, a); }
 inline Float4 maxOf(Float4 a, Float4 b) { return select(a < b, b, a); }
 inline Float4 squareRoot(Float4 v) { return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])}; }
 
-/// Four vectors, one per lane.
-struct Vec3x4 {
-  Float4 x{}, y{}, z{};
+inline float select(bool mask, float ifTrue, float ifFalse) { return mask ? ifTrue : ifFalse; }
+inline float squareRoot(float v) { return std::sqrt(v); }
+
+/// A vector of N, where N is float or Float4 (one vector per lane): the same code serves both.
+template <class N>
+struct Wide3 {
+  N x{}, y{}, z{};
 };
 
-inline Vec3x4 operator+(const Vec3x4& a, const Vec3x4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3x4 operator*(const Vec3x4& a, Float4 s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Float4 dot(const Vec3x4& a, const Vec3x4& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-inline Vec3x4 cross(const Vec3x4& a, const Vec3x4& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+template <class N>
+inline Wide3<N> operator+(const Wide3<N>& a, const Wide3<N>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class N>
+inline Wide3<N> operator-(const Wide3<N>& a, const Wide3<N>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class N>
+inline Wide3<N> operator*(const Wide3<N>& a, N s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class N>
+inline N dot(const Wide3<N>& a, const Wide3<N>& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
 }  // namespace brittle

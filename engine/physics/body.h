@@ -39,7 +39,6 @@ struct Body {
   BodyType type = BodyType::Static;
   bool awake = false;
   bool breakable = false;
-  bool fast = false;                    // this tick: moves further than half its inner radius, so it is swept
   Transform pose;                       // of the local frame
   Vec3 localCenter = Vec3::Zero();      // centre of mass in the local frame [m]
   Vec3 center = Vec3::Zero();           // and in the world; pose.toWorld(localCenter) up to rounding
@@ -59,11 +58,11 @@ struct Body {
   std::uint64_t seed = 0;               // of its next breaking
   std::uint32_t assembly = 0;
   std::uint32_t userData = 0;
-  std::uint32_t bornTick = 0;
+  std::int32_t bornTick = 0;            // may be before the world's first tick, see World::compact
   std::uint32_t restTicks = 0;          // ticks it has been slow enough to be put to rest
-  BodyHandle striker;                   // a piece: who broke it loose, for budgets of the tick it was born in
-  BodyHandle heldBy;                    // breaks first thing next tick; this striker has paid
-  float timeUsed = 0.0f;                // of this tick, by strikers advanced to their impact [s]
+  std::int32_t brokenTick = -1000;      // last tick it broke in: what is left does not break again in that tick
+  BodyHandle striker;                   // a piece: who broke it loose; what it passes on soon after counts in that one's budget
+  float timeUsed = 0.0f;                // of this tick: already moved to where it struck [s]; 0 between ticks
   // Animated: where it goes this tick; velocities are derived from it.
   bool hasTarget = false;
   Transform target;
@@ -75,7 +74,42 @@ struct Body {
   void placeByPose() { center = pose.toWorld(localCenter); }
 
   template <class Archive>
-  void serialize(Archive& a);
+  void serialize(Archive& a) {
+    a(type);
+    a(awake);
+    a(breakable);
+    a(pose.position);
+    a(pose.rotation);
+    a(localCenter);
+    a(center);
+    a(velocity);
+    a(angularVelocity);
+    a(invMass);
+    a(localInertia);
+    a(localInvInertia);
+    a(mass);
+    a(radius);
+    a(innerRadius);
+    a(gravityScale);
+    a(firstShape);
+    a(shapeCount);
+    a(breaking.strength);
+    a(breaking.material.pattern);
+    a(breaking.material.carveRadius);
+    a(breaking.material.density);
+    a(breaking.material.dieSize);
+    a(breaking.material.minVolume);
+    a(seed);
+    a(assembly);
+    a(userData);
+    a(bornTick);
+    a(brokenTick);
+    a(striker);
+    a(restTicks);
+    a(hasTarget);
+    a(target.position);
+    a(target.rotation);
+  }
 };
 
 }  // namespace brittle::physics

@@ -16,7 +16,7 @@ struct Crumb {
   float radius = 0.0f;           // [m]
   float volume = 0.0f;           // [m3]
   std::uint32_t color = 0xffffffff;
-  std::uint32_t bornTick = 0;
+  std::int32_t bornTick = 0;
   bool resting = false;
 
   template <class Archive>

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/core/archive.h"
+#include "engine/fracture/fracture.h"
 #include "engine/geometry/gjk.h"
 #include "engine/geometry/mass.h"
 #include "engine/geometry/mesh_pool.h"
@@ -30,6 +31,7 @@ struct ShapeDef {
 };
 
 inline constexpr std::uint32_t kNoProxy = 0xffffffff;
+inline constexpr std::uint32_t kMaxAnchors = 6;
 
 struct Shape {
   BodyHandle body;
@@ -46,12 +48,45 @@ struct Shape {
   std::uint16_t drawFlags = 0;
   std::uint32_t userData = 0;
   std::uint32_t proxy = kNoProxy;   // in the broad phase
-  std::uint32_t firstContact = kNoProxy;  // contact edge list, see contact.h
+  std::uint32_t firstContact = kNoProxy;  // list of its contacts, see contact_graph.h
+  std::uint32_t contactCount = 0;
+  fracture::Anchor anchors[kMaxAnchors];  // where it holds, in the body's frame; a piece that still touches one stays anchored
+  std::uint32_t anchorCount = 0;    // 0 and anchored: it holds everywhere
+  std::uint64_t meshHash = 0;       // of its vertices and planes: stands for the mesh in the state hash
 
   bool isSphere() const { return mesh == geometry::kNoMesh; }
 
   template <class Archive>
-  void serialize(Archive& a);
+  void serialize(Archive& a) {
+    a(body);
+    a(next);
+    a(mesh);
+    a(center);
+    a(radius);
+    a(innerRadius);
+    a(massProperties.volume);
+    a(massProperties.center);
+    a(massProperties.inertia);
+    a(surface.density);
+    a(surface.friction);
+    a(surface.restitution);
+    a(surface.category);
+    a(surface.mask);
+    a(anchored);
+    a(isPiece);
+    a(drawMaterial);
+    a(drawFlags);
+    a(userData);
+    a(proxy);
+    a(firstContact);
+    a(contactCount);
+    a(anchorCount);
+    for (std::uint32_t i = 0; i < anchorCount && i < kMaxAnchors; ++i) {
+      a(anchors[i].points);
+      a(anchors[i].pointCount);
+    }
+    a(meshHash);
+  }
 };
 
 /// The geometry of a shape for GJK and its relatives. Valid until the pool changes.

@@ -15,6 +15,8 @@
 #include "engine/physics/events.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/shape.h"
+#include "engine/physics/solver.h"
+#include "engine/physics/strikes.h"
 #include "engine/physics/solver_body.h"
 
 namespace brittle::physics {
@@ -29,15 +31,29 @@ struct State {
   geometry::MeshPool meshes;
   DynamicTree tree;
   Debris debris;
+  std::vector<Budget> budgets;  // by striker, then struck
+  std::vector<Held> held;
   Accuracy accuracy;
   Vec3 gravity = Vec3(0.0f, -9.81f, 0.0f);
   std::uint64_t seed = 1;
-  std::uint32_t tick = 0;
+  std::int32_t tick = 0;
   std::uint32_t nextAssembly = 1;
+  std::vector<ShapeHandle> newShapes;  // made since the pairs were last searched
+  std::uint32_t nextSerial = 1;  // numbers bodies in order of making: seeds their breaking
 
   // Rebuilt every tick; never read across ticks.
   std::vector<SolverBody> solverBodies;
+  std::vector<Aabb> shapeBoxes;         // by shape slot: tight, at the start of the tick
+  std::vector<ShapeHandle> wakeQueue;
+  std::vector<ShapeHandle> movedShapes; // left their box in the tree
+  std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next round
   JointSolver jointSolver;
+  ContactSolver contactSolver;
+  Strikes strikes;
+  fracture::Fracturer fracturer;
+  std::vector<Held> breakingNow;
+  std::vector<fracture::Impact> impacts;
+  std::vector<bool> groupFlags;
   Events events;
   Counters counters;
 

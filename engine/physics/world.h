@@ -78,7 +78,7 @@ class World {
   const Debris& debris() const;
   const Events& events() const;
   const Counters& counters() const;
-  std::uint32_t tick() const;
+  std::int32_t tick() const;
 
   // Changing.
   void setVelocity(BodyHandle body, const Vec3& velocity, const Vec3& angularVelocity);

@@ -14,7 +14,5 @@ struct Line {
 
 /// Random streams, trigonometry, transforms, SIMD lanes.
 void addMath(std::vector<Line>& lines);
-/// Cuts, mass properties, hulls, breaking.
-void addGeometry(std::vector<Line>& lines);
 
 }  // namespace brittle

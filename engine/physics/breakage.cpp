@@ -1,0 +1,285 @@
+#include "engine/physics/breakage.h"
+
+#include <algorithm>
+
+#include "engine/core/profile.h"
+#include "engine/physics/collide.h"
+#include "engine/physics/contact_graph.h"
+#include "engine/physics/deactivation.h"
+#include "engine/physics/edit.h"
+#include "engine/physics/debris_step.h"
+#include "engine/physics/joint.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr float kCrackSlop = 1e-4f;            // facing faces closer than this hang together [m]
+constexpr float kBreakableVolumeRatio = 30.0f; // a piece breaks again from this many times the smallest piece's volume [-]
+
+using fracture::Fracture;
+using fracture::Piece;
+
+/// Scratch of one breaking: which shape each piece became, and which body each group.
+struct Swap {
+  std::vector<ShapeHandle> shapes;    // of the old body, in the order they were given as parts
+  std::vector<fracture::Part> parts;
+  std::vector<BodyHandle> bodyOfGroup;
+  std::vector<ShapeHandle> shapeOfPiece;
+  std::vector<ShapeHandle> piecesOfShape;
+};
+
+Swap& scratch() {
+  thread_local Swap swap;
+  return swap;
+}
+
+void gatherParts(const State& state, BodyHandle handle, Swap& swap) {
+  swap.shapes.clear();
+  swap.parts.clear();
+  forEachShape(state, state.bodies[handle], [&](ShapeHandle shapeHandle, const Shape& shape) {
+    if (shape.isSphere()) return;
+    fracture::Part part;
+    part.convex = state.meshes.view(shape.mesh);
+    part.anchored = shape.anchored;
+    part.id = static_cast<std::uint32_t>(swap.shapes.size());
+    part.anchors = {shape.anchors, shape.anchorCount};
+    swap.shapes.push_back(shapeHandle);
+    swap.parts.push_back(part);
+  });
+}
+
+fracture::FractureMaterial tuned(const State& state, const Body& body) {
+  fracture::FractureMaterial material = body.breaking.material;
+  material.density *= state.accuracy.patternDensity;
+  material.minVolume *= state.accuracy.minVolumeScale;
+  return material;
+}
+
+/// A group that stays keeps the old body; every other one becomes a dynamic body with the motion it had as part of it.
+void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture& result, Swap& swap) {
+  swap.bodyOfGroup.clear();
+  std::vector<bool>& hasFragments = state.groupFlags;
+  hasFragments.assign(result.groups.size(), false);
+  for (const Piece& piece : result.pieces) hasFragments[piece.group] = hasFragments[piece.group] || piece.isFragment;
+  for (std::uint32_t g = 0; g < result.groups.size(); ++g) {
+    const fracture::Group& group = result.groups[g];
+    if (group.keepsBody) {
+      swap.bodyOfGroup.push_back(old);
+      continue;
+    }
+    Body body = state.bodies[old];
+    body.type = BodyType::Dynamic;
+    body.awake = true;
+    body.restTicks = 0;
+    body.firstShape = {};
+    body.shapeCount = 0;
+    body.hasTarget = false;
+    body.breakable = body.breakable && !hasFragments[g] &&
+                     group.mass.volume > kBreakableVolumeRatio * body.breaking.material.minVolume;
+    body.bornTick = state.tick;
+    body.striker = striker;
+    body.seed = mixSeed(body.seed, g + 1);
+    swap.bodyOfGroup.push_back(makeBody(state, body));
+  }
+}
+
+/// The piece that goes on as the shape it was cut from: the largest, one that stays before a fragment.
+std::size_t heirOf(const Fracture& result, std::size_t first, std::size_t end) {
+  std::size_t heir = first;
+  for (std::size_t i = first + 1; i < end; ++i) {
+    const Piece& a = result.pieces[heir];
+    const Piece& b = result.pieces[i];
+    if (a.isFragment != b.isFragment ? a.isFragment : a.mass.volume < b.mass.volume) heir = i;
+  }
+  return heir;
+}
+
+void placePieces(State& state, const Fracture& result, std::size_t first, std::size_t end, Swap& swap) {
+  const ShapeHandle source = swap.shapes[result.pieces[first].source];
+  const std::size_t heir = heirOf(result, first, end);
+  swap.piecesOfShape.clear();
+  if (!result.pieces[heir].isWhole) {
+    const Piece& piece = result.pieces[heir];
+    replaceConvex(state, source, result.convexes[piece.convex], piece.mass);
+    state.shapes[source].isPiece = true;
+  }
+  for (std::size_t i = first; i < end; ++i) {
+    const Piece& piece = result.pieces[i];
+    const BodyHandle body = swap.bodyOfGroup[piece.group];
+    ShapeHandle shape = source;
+    if (i != heir) {
+      shape = makeConvex(state, body, state.shapes[source], result.convexes[piece.convex], piece.mass);
+    } else if (!(state.shapes[source].body == body)) {
+      moveShape(state, source, body);
+    }
+    state.shapes[shape].anchored = piece.anchored;
+    swap.shapeOfPiece[i] = shape;
+    swap.piecesOfShape.push_back(shape);
+  }
+  if (!result.pieces[heir].isWhole)
+    moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()), kCrackSlop);
+}
+
+/// Parts whose every piece was too small leave no shape.
+void dropLostShapes(State& state, const Fracture& result, const Swap& swap) {
+  std::vector<bool>& kept = state.groupFlags;
+  kept.assign(swap.shapes.size(), false);
+  for (const Piece& piece : result.pieces) kept[piece.source] = true;
+  for (std::size_t i = 0; i < swap.shapes.size(); ++i) {
+    if (kept[i]) continue;
+    moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
+    dropShape(state, swap.shapes[i]);
+  }
+}
+
+/// The cut knows its neighbours: their first contact needs no search.
+void seedContacts(State& state, const Fracture& result, const Swap& swap) {
+  for (const fracture::Neighbours& pair : result.neighbours) {
+    const ShapeHandle a = swap.shapeOfPiece[pair.pieceA];
+    const ShapeHandle b = swap.shapeOfPiece[pair.pieceB];
+    const Shape& shapeA = state.shapes[a];
+    const Shape& shapeB = state.shapes[b];
+    const Body& bodyA = state.bodyOf(shapeA);
+    if (shapeA.body == shapeB.body || !mayCollide(shapeA.surface, shapeB.surface)) continue;
+    if (!bodyA.isDynamic() && !state.bodyOf(shapeB).isDynamic()) continue;
+    if (findContact(state, a, b)) continue;
+    Contact& contact = state.contacts[addContact(state, a, b)];
+    contact.fromCut = true;
+    Manifold& manifold = contact.manifold;
+    manifold.normal = bodyA.pose.rotate(contact.a == a ? pair.normal : Vec3(-pair.normal));
+    manifold.count = static_cast<std::int32_t>(pair.pointCount);
+    manifold.seeded = true;
+    for (std::uint32_t i = 0; i < pair.pointCount; ++i) {
+      manifold.points[i] = {};
+      manifold.points[i].localA = manifold.points[i].localB = pair.points[i];  // pieces share their parent's frame
+    }
+  }
+}
+
+void scatterCrumbs(State& state, const Body& old, std::uint32_t color, const Fracture& result) {
+  for (const fracture::Crumb& crumb : result.crumbs) {
+    const Vec3 position = old.pose.toWorld(crumb.center);
+    addCrumb(state, position, old.velocityAt(position), crumb.volume, color);
+  }
+}
+
+}  // namespace
+
+std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact* impacts, std::uint32_t count, BodyHandle striker) {
+  BR_ZONE("break");
+  Swap& swap = scratch();
+  gatherParts(state, handle, swap);
+  if (swap.parts.empty()) return 0;
+  const Body old = state.bodies[handle];
+  const std::uint32_t color = swap.parts[0].convex.vertices[0].color;
+  const Fracture& result = state.fracturer.fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
+  state.counters.totalRefusedCuts += result.refusedCuts;
+  state.counters.crumbs += static_cast<std::uint32_t>(result.crumbs.size());
+
+  makeBodies(state, handle, striker, result, swap);
+  swap.shapeOfPiece.assign(result.pieces.size(), ShapeHandle{});
+  for (std::size_t first = 0; first < result.pieces.size();) {
+    std::size_t end = first + 1;
+    while (end < result.pieces.size() && result.pieces[end].source == result.pieces[first].source) ++end;
+    placePieces(state, result, first, end, swap);
+    first = end;
+  }
+  dropLostShapes(state, result, swap);
+  scatterCrumbs(state, old, color, result);
+
+  std::uint32_t made = 0;
+  bool keptAny = false;
+  bool keptAnchored = false;
+  for (std::size_t g = 0; g < result.groups.size(); ++g) {
+    const BodyHandle body = swap.bodyOfGroup[g];
+    keptAny = keptAny || result.groups[g].keepsBody;
+    keptAnchored = keptAnchored || (result.groups[g].keepsBody && result.groups[g].anchored);
+    if (result.groups[g].keepsBody) continue;
+    updateMass(state, body);
+    state.touchedBodies.push_back(body);
+    ++made;
+  }
+  Body& kept = state.bodies[handle];
+  kept.brokenTick = state.tick;
+  kept.seed = mixSeed(kept.seed, 0);
+  if (!keptAny) {
+    dropBody(state, handle);
+  } else {
+    if (kept.type == BodyType::Static && !keptAnchored) kept.type = BodyType::Dynamic;
+    kept.awake = kept.type != BodyType::Static;
+    updateMass(state, handle);
+    state.touchedBodies.push_back(handle);
+  }
+  seedContacts(state, result, swap);
+  state.counters.pieces += made;
+  return made;
+}
+
+void fractureSaturated(State& state) {
+  BR_ZONE("fracture");
+  state.touchedBodies.clear();
+  // Charge first: breaking removes the contacts that carry what was paid.
+  for (const Strike& strike : state.strikes.list)
+    if (strike.saturated && strike.mayBreak) charge(state, strike.striker, strike.struck, strike.capacity);
+  std::vector<fracture::Impact>& impacts = state.impacts;
+  const std::vector<Strike>& list = state.strikes.list;
+  for (std::size_t first = 0; first < list.size();) {
+    std::size_t end = first;
+    impacts.clear();
+    const Strike* hardest = nullptr;
+    for (; end < list.size() && list[end].struck == list[first].struck; ++end) {
+      if (!list[end].saturated || !list[end].mayBreak) continue;
+      impacts.push_back(impactOf(state, list[end]));
+      if (hardest == nullptr || list[end].approachSpeed > hardest->approachSpeed) hardest = &list[end];
+    }
+    first = end;
+    if (hardest == nullptr) continue;
+    const Body& struck = state.bodies[hardest->struck];
+    BreakEvent event{hardest->struck, hardest->striker, struck.assembly, struck.userData, hardest->point,
+                     normalizedOr(hardest->relativeVelocity, Vec3::UnitY()), hardest->approachSpeed, hardest->capacity, 0};
+    event.pieces = breakBody(state, hardest->struck, impacts.data(), static_cast<std::uint32_t>(impacts.size()), hardest->striker);
+    state.events.breaks.push_back(event);
+    ++state.counters.breaks;
+    ++state.counters.totalBreaks;
+  }
+}
+
+void fractureAfterStep(State& state) {
+  if (state.accuracy.fractureMode == FractureMode::InStep) return;
+  if (state.accuracy.fractureMode == FractureMode::AfterStepBlended) {
+    const float t = state.accuracy.blend;
+    for (const Strike& strike : state.strikes.list) {
+      Body& body = state.bodies[strike.body];
+      if (strike.saturated && body.isDynamic()) body.velocity = strike.velocityBefore * t + body.velocity * (1.0f - t);
+    }
+  }
+  fractureSaturated(state);
+}
+
+void breakHeld(State& state) {
+  state.touchedBodies.clear();
+  std::vector<Held>& held = state.breakingNow;
+  held.swap(state.held);
+  state.held.clear();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const Held& first = held[i];
+    if (!state.bodies.contains(first.struck) || state.bodies[first.struck].brokenTick == state.tick) continue;
+    std::vector<fracture::Impact>& impacts = state.impacts;
+    impacts.clear();
+    for (const Held& other : held) {
+      if (!(other.struck == first.struck)) continue;
+      impacts.push_back(other.impact);
+      if (state.bodies.contains(other.striker))
+        charge(state, other.striker, other.struck, state.bodies[first.struck].breaking.strength);
+    }
+    const Body& struck = state.bodies[first.struck];
+    BreakEvent event{first.struck, first.striker, struck.assembly, struck.userData, struck.pose.toWorld(first.impact.point),
+                     struck.pose.rotate(first.impact.direction), first.impact.speed, first.impulse, 0};
+    event.pieces = breakBody(state, first.struck, impacts.data(), static_cast<std::uint32_t>(impacts.size()), first.striker);
+    state.events.breaks.push_back(event);
+    ++state.counters.breaks;
+    ++state.counters.totalBreaks;
+  }
+}
+
+}  // namespace brittle::physics

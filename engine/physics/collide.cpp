@@ -1,0 +1,158 @@
+#include "engine/physics/collide.h"
+
+#include "engine/core/profile.h"
+#include "engine/physics/contact_graph.h"
+#include "engine/physics/deactivation.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr float kFatMargin = 0.05f;  // boxes in the tree are larger by this [m], so that most bodies do not touch it
+constexpr float kFatRatio = 0.125f;  // or by this part of the shape's extent, if that is less [-]
+
+/// The box over the body's way of the tick.
+Aabb sweptBox(const Aabb& box, const Body& body, float dt) {
+  const Vec3 way = body.velocity * dt;
+  Aabb swept = box;
+  swept.include(Aabb{box.low + way, box.high + way});
+  const float turn = minOf(body.angularVelocity.norm() * dt, 1.0f) * body.radius;
+  return swept.grownBy(turn);
+}
+
+void updateProxy(State& state, ShapeHandle handle, Shape& shape, const Body& body, float dt) {
+  const Aabb box = geometry::boundsOf(proxyOf(shape, state.meshes), body.pose);
+  state.shapeBoxes[handle.index] = box;
+  const Aabb swept = sweptBox(box, body, dt);
+  if (state.tree.box(shape.proxy).contains(swept)) return;
+  const Vec3 extent = box.extent();
+  const float size = maxOf(extent.x(), maxOf(extent.y(), extent.z()));
+  state.tree.move(shape.proxy, swept.grownBy(minOf(kFatMargin, kFatRatio * size)));
+  state.movedShapes.push_back(handle);
+}
+
+bool mayTouch(const State& state, const Shape& a, const Shape& b) {
+  if (a.body == b.body || !mayCollide(a.surface, b.surface)) return false;
+  const Body& bodyA = state.bodyOf(a);
+  const Body& bodyB = state.bodyOf(b);
+  if (!bodyA.isDynamic() && !bodyB.isDynamic()) return false;
+  return state.joints.size() == 0 || !jointForbidsCollision(state, a.body, b.body);
+}
+
+void findPairs(State& state) {
+  for (const ShapeHandle handle : state.movedShapes) {
+    if (!state.shapes.contains(handle)) continue;  // made and removed again between ticks
+    const Shape& shape = state.shapes[handle];
+    state.tree.query(state.tree.box(shape.proxy), [&](std::uint32_t slot) {
+      const ShapeHandle other = state.shapes.handleAt(slot);
+      ++state.counters.pairsTested;
+      if (slot != handle.index && mayTouch(state, shape, state.shapes.at(slot)) && !findContact(state, handle, other))
+        addContact(state, handle, other);
+      return true;
+    });
+  }
+  state.movedShapes.clear();
+}
+
+/// The tight box of a shape that moves, the tree's own of one that rests.
+const Aabb& currentBox(const State& state, const Shape& shape, std::uint32_t slot) {
+  return state.bodyOf(shape).awake ? state.shapeBoxes[slot] : state.tree.box(shape.proxy);
+}
+
+float wayOf(const Body& body, float dt) {
+  return body.awake ? (body.velocity.norm() + body.angularVelocity.norm() * body.radius) * dt : 0.0f;
+}
+
+/// Closing speed at each point before the solver: what restitution gives back.
+void rememberApproach(const Body& a, const Body& b, Contact& contact) {
+  for (int i = 0; i < contact.manifold.count; ++i) {
+    const ManifoldPoint& point = contact.manifold.points[i];
+    const Vec3 at = 0.5f * (a.pose.toWorld(point.localA) + b.pose.toWorld(point.localB));
+    contact.approach[i] = -contact.manifold.normal.dot(b.velocityAt(at) - a.velocityAt(at));
+  }
+}
+
+void updateContact(State& state, Contact& contact, float dt) {
+  const Shape& a = state.shapes[contact.a];
+  const Shape& b = state.shapes[contact.b];
+  const Body& bodyA = state.bodyOf(a);
+  const Body& bodyB = state.bodyOf(b);
+  const float size = minOf(a.innerRadius, b.innerRadius);
+  const float margin = minOf(state.accuracy.speculativeMargin, size) + wayOf(bodyA, dt) + wayOf(bodyB, dt);
+  if (!currentBox(state, a, contact.a.index).grownBy(margin).overlaps(currentBox(state, b, contact.b.index))) {
+    contact.manifold.count = 0;
+    contact.manifold.computed = false;
+    return;
+  }
+  updateManifold(proxyOf(a, state.meshes), bodyA.pose, a.innerRadius, proxyOf(b, state.meshes), bodyB.pose, b.innerRadius,
+                 margin, state.accuracy.manifold, contact.manifold);
+  rememberApproach(bodyA, bodyB, contact);
+}
+
+/// Still near enough to stay a pair?
+bool isNear(const State& state, const Contact& contact) {
+  return state.tree.box(state.shapes[contact.a].proxy).overlaps(state.tree.box(state.shapes[contact.b].proxy));
+}
+
+void updateContactAt(State& state, ContactHandle handle, float dt) {
+  Contact& contact = state.contacts[handle];
+  if (isNear(state, contact)) updateContact(state, contact, dt);
+  else removeContact(state, handle);
+}
+
+}  // namespace
+
+float contactSlop(const Shape& a, const Shape& b) {
+  return clampTo(0.02f * minOf(a.innerRadius, b.innerRadius), 1e-5f, 0.002f);
+}
+
+void insertProxy(State& state, ShapeHandle handle) {
+  Shape& shape = state.shapes[handle];
+  if (state.shapeBoxes.size() < state.shapes.capacity()) state.shapeBoxes.resize(state.shapes.capacity());
+  const Aabb box = geometry::boundsOf(proxyOf(shape, state.meshes), state.bodyOf(shape).pose);
+  state.shapeBoxes[handle.index] = box;
+  shape.proxy = state.tree.insert(box, handle.index);
+}
+
+void detectCollisions(State& state, float dt) {
+  BR_ZONE("collide");
+  state.movedShapes.swap(state.newShapes);  // made since the last tick: their pairs are not known yet
+  state.newShapes.clear();
+  state.shapeBoxes.resize(state.shapes.capacity());
+  state.bodies.forEach([&](BodyHandle, const Body& body) {
+    if (!body.awake) return;
+    forEachShape(state, body, [&](ShapeHandle handle, Shape& shape) { updateProxy(state, handle, shape, body, dt); });
+  });
+  findPairs(state);
+  for (std::uint32_t slot = 0; slot < state.contacts.capacity(); ++slot) {
+    if (!state.contacts.isAlive(slot)) continue;
+    Contact& contact = state.contacts.at(slot);
+    contact.reached = false;
+    contact.passable = false;
+    contact.strike = kNoStrike;
+    contact.manifold.seeded = false;
+    const bool awake = state.bodyOf(state.shapes[contact.a]).awake || state.bodyOf(state.shapes[contact.b]).awake;
+    if (awake) updateContactAt(state, state.contacts.handleAt(slot), dt);
+  }
+}
+
+void detectCollisionsOf(State& state, const std::vector<BodyHandle>& bodies, float dt) {
+  BR_ZONE("collide again");
+  state.movedShapes.swap(state.newShapes);
+  state.newShapes.clear();
+  state.shapeBoxes.resize(state.shapes.capacity());
+  for (const BodyHandle handle : bodies) {
+    const Body& body = state.bodies[handle];
+    forEachShape(state, body, [&](ShapeHandle shape, Shape& value) { updateProxy(state, shape, value, body, dt); });
+  }
+  findPairs(state);
+  for (const BodyHandle handle : bodies) {
+    forEachShape(state, state.bodies[handle], [&](ShapeHandle, Shape& shape) {
+      forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t) {
+        if (!state.contacts.at(slot).manifold.seeded) updateContactAt(state, state.contacts.handleAt(slot), dt);
+        return true;
+      });
+    });
+  }
+}
+
+}  // namespace brittle::physics

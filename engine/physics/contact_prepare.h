@@ -1,0 +1,100 @@
+// physics/contact_prepare.h - from a manifold to solver rows and back, one lane at a time. Private to the contact solver.
+#pragma once
+
+#include "engine/physics/state.h"
+
+namespace brittle::physics {
+
+inline void setLane(float& target, int, float value) { target = value; }
+inline void setLane(Float4& target, int lane, float value) { target[lane] = value; }
+template <class N>
+inline void setLane(Wide3<N>& target, int lane, const Vec3& value) {
+  setLane(target.x, lane, value.x());
+  setLane(target.y, lane, value.y());
+  setLane(target.z, lane, value.z());
+}
+inline float lane(float value, int) { return value; }
+inline float lane(const Float4& value, int i) { return value[i]; }
+template <class N>
+inline Vec3 lane(const Wide3<N>& value, int i) {
+  return Vec3(lane(value.x, i), lane(value.y, i), lane(value.z, i));
+}
+
+/// The time left of the tick for a pair: a striker already moved to its impact has less. [s]
+inline float timeLeft(const Body& a, const Body& b, float dt) {
+  return maxOf(dt - maxOf(a.timeUsed, b.timeUsed), 1e-3f * dt);
+}
+
+/// A row along `direction` at the arms rA, rB. Returns the effective mass by 1 / (direction's compliance).
+template <class N>
+void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec3& rB, const Vec3& direction, float impulse, int i,
+             Row<N>& row) {
+  const Vec3 angularA = rA.cross(direction);
+  const Vec3 angularB = rB.cross(direction);
+  const Vec3 turnA = a.invInertia * angularA;
+  const Vec3 turnB = b.invInertia * angularB;
+  const float compliance = (a.invMass + b.invMass) + (angularA.dot(turnA) + angularB.dot(turnB));
+  setLane(row.angularA, i, angularA);
+  setLane(row.angularB, i, angularB);
+  setLane(row.turnA, i, turnA);
+  setLane(row.turnB, i, turnB);
+  setLane(row.mass, i, compliance > 0.0f ? 1.0f / compliance : 0.0f);
+  setLane(row.impulse, i, impulse);
+}
+
+template <class N>
+void fillFriction(const SolverBody& a, const SolverBody& b, const Contact& contact, const Vec3& middle, float radius, int i,
+                  ContactRows<N>& rows) {
+  const Manifold& manifold = contact.manifold;
+  const Vec3 u = perpendicular(manifold.normal);
+  const Vec3 tangents[2] = {u, manifold.normal.cross(u)};
+  for (int t = 0; t < 2; ++t) {
+    setLane(rows.tangent[t], i, tangents[t]);
+    fillRow(a, b, middle - a.center, middle - b.center, tangents[t], manifold.frictionImpulse.dot(tangents[t]), i, rows.slide[t]);
+  }
+  const Vec3 turnA = a.invInertia * manifold.normal;
+  const Vec3 turnB = b.invInertia * manifold.normal;
+  const float compliance = manifold.normal.dot(turnA + turnB);
+  setLane(rows.twistTurnA, i, turnA);
+  setLane(rows.twistTurnB, i, turnB);
+  setLane(rows.twistMass, i, compliance > 0.0f ? 1.0f / compliance : 0.0f);
+  setLane(rows.twistImpulse, i, manifold.twistImpulse);
+  setLane(rows.twistRadius, i, radius);
+  setLane(rows.friction, i, contact.friction);
+}
+
+template <class N>
+void fillLane(const State& state, const Contact& contact, GapRule gap, float dt, int i, ContactRows<N>& rows) {
+  const Body& bodyA = state.bodyOf(state.shapes[contact.a]);
+  const Body& bodyB = state.bodyOf(state.shapes[contact.b]);
+  const SolverBody& a = state.solverBodies[state.shapes[contact.a].body.index];
+  const SolverBody& b = state.solverBodies[state.shapes[contact.b].body.index];
+  const Manifold& manifold = contact.manifold;
+  const float time = timeLeft(bodyA, bodyB, dt);
+  setLane(rows.normal, i, manifold.normal);
+  setLane(rows.invMassA, i, a.invMass);
+  setLane(rows.invMassB, i, b.invMass);
+  Vec3 middle = Vec3::Zero();
+  Vec3 places[kMaxPoints];
+  for (int p = 0; p < manifold.count; ++p) {
+    const ManifoldPoint& point = manifold.points[p];
+    places[p] = 0.5f * (bodyA.pose.toWorld(point.localA) + bodyB.pose.toWorld(point.localB));
+    middle += places[p] / static_cast<float>(manifold.count);
+    fillRow(a, b, places[p] - a.center, places[p] - b.center, manifold.normal, point.normalImpulse, i, rows.point[p]);
+    const bool open = point.separation > 0.0f && gap == GapRule::Speculative;
+    setLane(rows.target[p], i, open ? -point.separation / time : 0.0f);
+  }
+  float radius = 0.0f;
+  for (int p = 0; p < manifold.count; ++p) radius += (places[p] - middle).norm() / static_cast<float>(manifold.count);
+  fillFriction(a, b, contact, middle, radius, i, rows);
+}
+
+template <class N>
+void storeLane(const ContactRows<N>& rows, int i, Manifold& manifold) {
+  for (int p = 0; p < manifold.count; ++p) manifold.points[p].normalImpulse = lane(rows.point[p].impulse, i);
+  manifold.frictionImpulse =
+      lane(rows.tangent[0], i) * lane(rows.slide[0].impulse, i) + lane(rows.tangent[1], i) * lane(rows.slide[1].impulse, i);
+  manifold.twistImpulse = lane(rows.twistImpulse, i);
+}
+
+}  // namespace brittle::physics

@@ -1,0 +1,108 @@
+#include "engine/physics/deactivation.h"
+
+#include "engine/physics/contact_graph.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr float kRestSpeed = 0.05f;       // [m/s] of the farthest point; chosen by eye: below, motion is not seen
+constexpr std::uint32_t kRestTicks = 30;  // half a second at 60 Hz
+
+float surfaceSpeed(const Body& body) { return body.velocity.norm() + body.angularVelocity.norm() * body.radius; }
+
+bool isSupported(const State& state, const Body& body) {
+  if (state.gravity.isZero() || body.gravityScale == 0.0f) return true;
+  bool supported = false;
+  forEachShape(state, body, [&](ShapeHandle, const Shape& shape) {
+    forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t) {
+      supported = supported || state.contacts.at(slot).touching;
+      return !supported;
+    });
+  });
+  if (supported) return true;
+  state.joints.forEach([&](JointHandle, const Joint& joint) {
+    const Shape* a = state.shapes.find(joint.a);
+    const Shape* b = state.shapes.find(joint.b);
+    supported = supported || (a != nullptr && a->body == state.shapes[body.firstShape].body) ||
+                (b != nullptr && b->body == state.shapes[body.firstShape].body);
+  });
+  return supported;
+}
+
+void putToRest(Body& body) {
+  body.awake = false;
+  body.velocity.setZero();
+  body.angularVelocity.setZero();
+}
+
+void wakeTouchedByMotion(State& state) {
+  state.contacts.forEach([&](ContactHandle, const Contact& contact) {
+    if (!contact.touching) return;
+    Body& a = state.bodyOf(state.shapes[contact.a]);
+    Body& b = state.bodyOf(state.shapes[contact.b]);
+    if (a.awake == b.awake) return;
+    const Body& mover = a.awake ? a : b;
+    Body& sleeper = a.awake ? b : a;
+    if (!sleeper.isDynamic() || surfaceSpeed(mover) < kRestSpeed) return;
+    sleeper.awake = true;
+    sleeper.restTicks = 0;
+  });
+  state.joints.forEach([&](JointHandle, const Joint& joint) {
+    const Shape* shapeA = state.shapes.find(joint.a);
+    const Shape* shapeB = state.shapes.find(joint.b);
+    if (shapeA == nullptr || shapeB == nullptr) return;
+    Body& a = state.bodyOf(*shapeA);
+    Body& b = state.bodyOf(*shapeB);
+    if (a.awake == b.awake) return;
+    const Body& mover = a.awake ? a : b;
+    Body& sleeper = a.awake ? b : a;
+    if (!sleeper.isDynamic() || surfaceSpeed(mover) < kRestSpeed) return;
+    sleeper.awake = true;
+    sleeper.restTicks = 0;
+  });
+}
+
+}  // namespace
+
+void wakeBody(State& state, BodyHandle handle) {
+  Body* body = state.bodies.find(handle);
+  if (body == nullptr || !body->isDynamic()) return;
+  body->awake = true;
+  body->restTicks = 0;
+}
+
+void wakeTouching(State& state, ShapeHandle first) {
+  std::vector<ShapeHandle>& pending = state.wakeQueue;
+  pending.clear();
+  pending.push_back(first);
+  while (!pending.empty()) {
+    const ShapeHandle handle = pending.back();
+    pending.pop_back();
+    forEachContact(state, state.shapes[handle], [&](std::uint32_t slot, std::uint32_t side) {
+      const Contact& contact = state.contacts.at(slot);
+      const ShapeHandle other = side == 0 ? contact.b : contact.a;
+      Body& body = state.bodyOf(state.shapes[other]);
+      if (!contact.touching || !body.isDynamic() || body.awake) return true;
+      body.awake = true;
+      body.restTicks = 0;
+      forEachShape(state, body, [&](ShapeHandle next, const Shape&) { pending.push_back(next); });
+      return true;
+    });
+  }
+}
+
+void deactivate(State& state, float dt) {
+  wakeTouchedByMotion(state);
+  const float dtRatio = dt * 60.0f;
+  const auto ticksNeeded = static_cast<std::uint32_t>(static_cast<float>(kRestTicks) / maxOf(dtRatio, 0.01f));
+  state.bodies.forEach([&](BodyHandle, Body& body) {
+    if (!body.isDynamic() || !body.awake) return;
+    if (surfaceSpeed(body) > kRestSpeed) {
+      body.restTicks = 0;
+    } else if (++body.restTicks >= ticksNeeded && isSupported(state, body)) {
+      putToRest(body);
+    }
+  });
+}
+
+}  // namespace brittle::physics

@@ -1,0 +1,12 @@
+// physics/debris_step.h - the life of light debris: made by breaking, falling, resting on static geometry, recycled.
+#pragma once
+
+#include "engine/physics/state.h"
+
+namespace brittle::physics {
+
+/// A crumb of `volume` [m3]; overwrites the oldest when Accuracy::maxDebris are alive.
+void addCrumb(State& state, const Vec3& position, const Vec3& velocity, float volume, std::uint32_t color);
+void stepDebris(State& state, float dt);
+
+}  // namespace brittle::physics

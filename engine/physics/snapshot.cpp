@@ -1,0 +1,74 @@
+// Saving, restoring and hashing a world, all three by one description, so that they cannot cover different things. The hash takes the
+// hash of each mesh in place of its vertices and leaves out the buffers they lie in.
+#include "engine/physics/edit.h"
+
+#include "engine/physics/joint.h"
+#include "engine/physics/world.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr std::uint32_t kSnapshotVersion = 1;
+
+template <class Archive>
+void archiveState(State& state, Archive& archive) {
+  archive(state.bodies);
+  archive(state.shapes);
+  archive(state.contacts);
+  archive(state.joints);
+  archive(state.drives);
+  archive(state.tree);
+  archive(state.debris);
+  archive.vector(state.budgets);
+  archive.vector(state.held);
+  archive.vector(state.newShapes);
+  archive(state.accuracy);
+  archive(state.gravity);
+  archive(state.seed);
+  archive(state.tick);
+  archive(state.nextAssembly);
+  archive(state.nextSerial);
+}
+
+}  // namespace
+
+std::uint64_t World::stateHash() const {
+  HashArchive hash;
+  archiveState(*state_, hash);
+  return hash.value();
+}
+
+void World::save(ByteWriter& out) const {
+  out.write(kSnapshotVersion);
+  SaveArchive archive(out);
+  archiveState(*state_, archive);
+  state_->meshes.save(out);
+}
+
+bool World::restore(ByteReader& in) {
+  if (in.read<std::uint32_t>() != kSnapshotVersion) return false;
+  auto restored = std::make_unique<State>();
+  RestoreArchive archive(in);
+  archiveState(*restored, archive);
+  if (!restored->meshes.restore(in) || !archive.ok()) return false;
+  restored->shapeBoxes.resize(restored->shapes.capacity());
+  restored->bodies.forEach([&](BodyHandle, Body& body) { refreshInertia(body); });
+  restored->meshes.markAllDirty();
+  state_ = std::move(restored);
+  return true;
+}
+
+void World::shiftOrigin(const Vec3& offset) {
+  State& state = *state_;
+  for (int i = 0; i < 3; ++i) BR_ASSERT(offset[i] * 256.0f == static_cast<float>(static_cast<std::int64_t>(offset[i] * 256.0f)));
+  state.bodies.forEach([&](BodyHandle, Body& body) {
+    body.pose.position -= offset;
+    body.center -= offset;
+    body.target.position -= offset;
+  });
+  for (Crumb& crumb : state.debris.crumbs) crumb.position -= offset;
+  state.tree.shift(-offset);
+  shiftJoints(state, offset);
+}
+
+}  // namespace brittle::physics

@@ -1,0 +1,69 @@
+// physics/solver.h - sequential impulses over contacts: warm started, four independent contacts at a time, colour by colour, in an
+// order that does not depend on the width. Contacts with something breakable are solved one by one after the batches, under a
+// common cap per strike. Joints take part through JointSolver.
+// Source: Catto, Iterative Dynamics with Temporal Coherence, 2005; Tonge, Iterative Rigid Body Solvers (GDC), 2013 (colouring).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/physics/contact_rows.h"
+
+namespace brittle::physics {
+
+struct State;
+struct Strike;
+
+/// How the rows of a contact with a breakable body treat a gap.
+enum class GapRule : std::uint8_t {
+  Speculative,  // the approach may go on until the gap is closed
+  Touching,     // as if there were none: the sweep has confirmed the touch
+};
+
+class ContactSolver {
+ public:
+  /// Copies velocities and masses of all bodies in.
+  void loadBodies(State& state);
+  void storeBodies(State& state) const;
+
+  /// Builds the rows of every contact that has points and an awake body: batches for the unlimited, one by one for those of
+  /// active strikes. `warmStart`: apply the accumulated impulses (first round of a tick); otherwise they are in the velocities.
+  void prepare(State& state, float dt, bool warmStart);
+  /// Runs `iterations` sweeps over joints, batches and strikes.
+  void solve(State& state, int iterations);
+  /// Puts the accumulated impulses back into the manifolds and the strikes.
+  void store(State& state) const;
+  /// Rebound of contacts that carried an impulse and are not saturated. Source: Box2D v3's relax-then-restitute order.
+  void applyRestitution(State& state);
+
+ private:
+  struct Batch {
+    ContactRows<Float4> rows;
+    std::uint32_t bodyA[kLanes], bodyB[kLanes], contact[kLanes];
+    int lanes = 0;
+    int points = 0;
+  };
+  struct Single {
+    ContactRows<float> rows;
+    std::uint32_t bodyA = 0, bodyB = 0, contact = 0, strike = 0;
+    int points = 0;
+  };
+  void colorContacts(State& state);
+  void buildBatches(State& state, float dt);
+  void buildStrikes(State& state, float dt);
+  void warmStartRows(State& state);
+  void solveBatches();
+  void solveStrikes(State& state);
+  static float spentByPartners(const std::vector<Strike>& list, std::size_t s);
+  void capStrike(State& state, std::size_t first, std::size_t end);
+
+  static constexpr int kColors = 24;  // beyond, contacts are solved one lane at a time
+  std::vector<SolverBody>* bodies_ = nullptr;
+  std::vector<std::uint32_t> colorMasks_;                 // by body slot
+  std::vector<std::uint32_t> byColor_[kColors + 1];       // contact slots
+  std::vector<Batch> batches_;
+  std::vector<Single> singles_;                           // grouped by strike
+  std::uint32_t batchCount_ = 0;
+};
+
+}  // namespace brittle::physics

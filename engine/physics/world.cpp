@@ -1,0 +1,113 @@
+#include "engine/physics/world.h"
+
+#include "engine/core/profile.h"
+#include "engine/physics/breakage.h"
+#include "engine/physics/collide.h"
+#include "engine/physics/contact_graph.h"
+#include "engine/physics/deactivation.h"
+#include "engine/physics/debris_step.h"
+#include "engine/physics/integrate.h"
+#include "engine/physics/quarantine.h"
+#include "engine/physics/recycle.h"
+#include "engine/physics/state.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr int kUnboundedRounds = 1000;  // fractureRounds 0: a guard, far beyond what a tick's way can hold
+
+int maxRounds(const Accuracy& accuracy) {
+  if (accuracy.fractureMode != FractureMode::InStep) return 0;
+  return accuracy.fractureRounds == 0 ? kUnboundedRounds : accuracy.fractureRounds;
+}
+
+void solve(State& state, float dt, bool isFirstPass) {
+  BR_ZONE("solve");
+  ContactSolver& solver = state.contactSolver;
+  state.jointSolver.prepare(state, dt, isFirstPass);
+  solver.prepare(state, dt, isFirstPass);
+  solver.solve(state, state.accuracy.iterations);
+  solver.store(state);
+  solver.storeBodies(state);
+}
+
+/// Steps 3 to 5: solve under the strikes' limits, break what they saturate, solve again with what is left.
+void solveAndBreak(State& state, float dt) {
+  for (int round = 0, pass = 0;; ++pass) {
+    state.contactSolver.loadBodies(state);
+    limitImpulses(state, dt);
+    solve(state, dt, pass == 0);
+    if (findSaturated(state) && round < maxRounds(state.accuracy)) {
+      fractureSaturated(state);
+      detectCollisionsOf(state, state.touchedBodies, dt);
+      state.counters.rounds = static_cast<std::uint32_t>(++round);
+    } else if (!advanceStrikers(state, dt)) {
+      break;
+    }
+  }
+}
+
+void step(State& state, float dt) {
+  quarantine(state);
+  wakeByJoints(state);
+  integrateVelocities(state, dt);
+  fadeBudgets(state, dt);
+  breakHeld(state);
+  detectCollisions(state, dt);
+  solveAndBreak(state, dt);
+  holdSaturated(state, dt);
+  state.contactSolver.applyRestitution(state);
+  chargeStrikes(state, dt);
+  integratePositions(state, dt);
+  correctPositions(state);
+  fractureAfterStep(state);
+  finishContacts(state);
+  stepDebris(state, dt);
+  recycleBodies(state);
+  if (state.accuracy.deactivation) deactivate(state, dt);
+}
+
+void beginTick(State& state) {
+  state.events.breaks.clear();
+  state.events.hits.clear();
+  state.events.quarantined.clear();
+  const Counters old = state.counters;
+  state.counters = {};
+  state.counters.totalBreaks = old.totalBreaks;
+  state.counters.totalHeld = old.totalHeld;
+  state.counters.totalRefusedCuts = old.totalRefusedCuts;
+}
+
+void countWhatIsThere(State& state) {
+  Counters& counters = state.counters;
+  counters.bodies = static_cast<std::uint32_t>(state.bodies.size());
+  counters.shapes = static_cast<std::uint32_t>(state.shapes.size());
+  counters.contacts = static_cast<std::uint32_t>(state.contacts.size());
+  state.bodies.forEach([&](BodyHandle, const Body& body) { counters.awakeBodies += body.isDynamic() && body.awake ? 1 : 0; });
+  state.contacts.forEach([&](ContactHandle, const Contact& contact) {
+    counters.points += static_cast<std::uint32_t>(contact.manifold.count);
+  });
+}
+
+}  // namespace
+
+World::World(const WorldDef& def) : state_(std::make_unique<State>()) {
+  BR_ASSERT(isFinite(def.gravity));
+  state_->gravity = def.gravity;
+  state_->accuracy = def.accuracy;
+  state_->seed = def.seed;
+}
+
+World::~World() = default;
+
+void World::step(float dt) {
+  BR_ASSERT(dt >= 1.0f / 1000.0f && dt <= 1.0f / 20.0f);
+  State& state = *state_;
+  beginTick(state);
+  const int substeps = maxOf(state.accuracy.substeps, 1);
+  for (int i = 0; i < substeps; ++i) physics::step(state, dt / static_cast<float>(substeps));
+  countWhatIsThere(state);
+  ++state.tick;
+}
+
+}  // namespace brittle::physics
