@@ -14,5 +14,7 @@ struct Line {
 
 /// Random streams, trigonometry, transforms, SIMD lanes.
 void addMath(std::vector<Line>& lines);
+/// Cuts, mass properties, hulls, breaking.
+void addGeometry(std::vector<Line>& lines);
 
 }  // namespace brittle
