@@ -1,13 +1,10 @@
 #include "engine/geometry/mass.h"
 
 #include "engine/geometry/mass_impl.h"
-#include "engine/math/trig.h"
 
 namespace brittle::geometry {
-namespace {
 
-/// Smallest pivot of the Cholesky factorisation: never below the smallest eigenvalue, and positive only if all are.
-double smallestPivot(const Mat3d& m) {
+double mass_detail::smallestPivot(const Mat3d& m) {
   const double d0 = m(0, 0);
   if (!(d0 > 0.0)) return d0;
   const double l10 = m(1, 0) / d0;
@@ -19,13 +16,16 @@ double smallestPivot(const Mat3d& m) {
   return minOf(minOf(d0, d1), d2);
 }
 
-}  // namespace
-
 void mass_detail::regularize(Mat3& inertia) {
   constexpr double kSmallestShare = 0x1p-20;  // 8 units in the last place of a float, relative to the trace
-  const Mat3d exact = inertia.cast<double>();
-  const double trace = exact(0, 0) + exact(1, 1) + exact(2, 2);
-  if (!(trace > 0.0) || smallestPivot(exact) > kSmallestShare * trace) return;
+  const Mat3d m = inertia.cast<double>();
+  const double trace = m(0, 0) + m(1, 1) + m(2, 2);
+  const double determinant = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2)) -
+                             m(0, 1) * (m(0, 1) * m(2, 2) - m(1, 2) * m(0, 2)) +
+                             m(0, 2) * (m(0, 1) * m(1, 2) - m(1, 1) * m(0, 2));
+  // The two larger moments multiply to at most (trace / 2)^2.
+  const double smallest = 4.0 * determinant / (trace * trace);
+  if (!(trace > 0.0) || smallest > kSmallestShare * trace) return;
   for (int i = 0; i < 3; ++i) inertia(i, i) += static_cast<float>(2.0 * kSmallestShare * trace);
 }
 

@@ -56,9 +56,32 @@ Moments<A> momentsOf(const ConvexViewT<S>& convex, const Vec3T<S>& origin) {
   return moments;
 }
 
+/// Smallest pivot of the Cholesky factorisation: never below the smallest eigenvalue, and positive only if all are.
+double smallestPivot(const Mat3d& matrix);
+
 /// Keeps the tensor of a float needle positive definite: rounding to float can cost a long thin piece its smallest moment. Adds
 /// less than 1e-5 of the tensor, and only where it is needed.
 void regularize(Mat3& inertia);
+
+/// The properties of the bounding box, but with this volume.
+template <class S>
+MassPropertiesT<S> massOfBounds(const ConvexViewT<S>& convex, const S& volume) {
+  Vec3T<S> low = convex.vertices[0].point;
+  Vec3T<S> high = low;
+  MassPropertiesT<S> result;
+  result.volume = volume;
+  Vec3T<S> square;
+  for (int i = 0; i < 3; ++i) {
+    for (const VertexT<S>& vertex : convex.vertices) {
+      low[i] = minOf<S>(low[i], vertex.point[i]);
+      high[i] = maxOf<S>(high[i], vertex.point[i]);
+    }
+    result.center[i] = (low[i] + high[i]) / S(2);
+    square[i] = (high[i] - low[i]) * (high[i] - low[i]);
+  }
+  for (int i = 0; i < 3; ++i) result.inertia(i, i) = volume * (square[(i + 1) % 3] + square[(i + 2) % 3]) / S(12);
+  return result;
+}
 
 }  // namespace brittle::geometry::mass_detail
 
@@ -80,6 +103,14 @@ MassPropertiesT<S> massOf(const ConvexViewT<S>& convex) {
   for (int i = 0; i < 3; ++i) center[i] = moments.first[i] / (A(4) * moments.sixVolume);
   for (int i = 0; i < 3; ++i) {
     for (int j = i; j < 3; ++j) covariance[i][j] = moments.second[i][j] / A(120) - volume * center[i] * center[j];
+  }
+  if constexpr (std::is_floating_point_v<S>) {
+    Mat3d matrix;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = i; j < 3; ++j) matrix(i, j) = matrix(j, i) = covariance[i][j];
+    }
+    // A speck thinner than its caps are rough is partly inside out; no integral over it describes a body.
+    if (!(mass_detail::smallestPivot(matrix) > 0.0)) return mass_detail::massOfBounds<S>(convex, S(volume));
   }
   result.volume = S(volume);
   for (int i = 0; i < 3; ++i) {

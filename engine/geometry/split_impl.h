@@ -18,6 +18,10 @@ inline constexpr std::uint32_t kNotCut = 0xffffffff;
 /// Closest a cut vertex comes to a vertex of its edge, as a fraction of the parent's extent [-]; at most a quarter of the edge.
 inline constexpr float kMoveAway = 0x1p-18f;
 
+/// Thinnest piece as a fraction of the parent's largest coordinate [-]: 32 units in the last place of a float, so that cuts through
+/// small pieces far out in a large body stay well above the grid of floats.
+inline constexpr float kMinThicknessOfReach = 0x1p-18f;
+
 /// Exact scalars need no slack: no thickness, no moving away.
 template <class S>
 inline constexpr bool kIsExact = std::numeric_limits<S>::is_exact;
@@ -42,6 +46,38 @@ std::uint32_t mixColor(std::uint32_t a, std::uint32_t b, std::uint32_t weight);
 /// Shading normals between two packed ones; none if either is none.
 std::uint32_t mixNormal(std::uint32_t a, std::uint32_t b, float weight);
 
+/// Six times the volume of each side, summed over fans of triangles as seen from `origin`.
+struct Volumes {
+  template <class S>
+  explicit Volumes(const Vec3T<S>& from) : origin(toDouble(from)) {}
+
+  template <class S>
+  void startFan(const Vec3T<S>& point) {
+    apex = toDouble(point) - origin;
+    count = 0;
+  }
+  template <class S>
+  void addCorner(std::uint8_t side, const Vec3T<S>& point) {
+    const Vec3d corner = toDouble(point) - origin;
+    if (count++ > 0) {
+      six[side] += (apex.x() * (previous.y() * corner.z() - previous.z() * corner.y()) +
+                    apex.y() * (previous.z() * corner.x() - previous.x() * corner.z())) +
+                   apex.z() * (previous.x() * corner.y() - previous.y() * corner.x());
+    }
+    previous = corner;
+  }
+  template <class S>
+  static Vec3d toDouble(const Vec3T<S>& point) {
+    return Vec3d(static_cast<double>(point.x()), static_cast<double>(point.y()), static_cast<double>(point.z()));
+  }
+
+  double six[2] = {0.0, 0.0};
+  Vec3d origin;
+  Vec3d apex;
+  Vec3d previous;
+  int count = 0;
+};
+
 /// One split under way. All arrays live in the caller's scratch.
 template <class S>
 class Splitter {
@@ -62,6 +98,7 @@ class Splitter {
     if (!fitsIndices()) return SplitOutcome::TooManyIndices;
     makeCutVertices();
     if (repaired && isTooFarOff()) return SplitOutcome::TooFarOff;
+    if (!haveVolume()) return SplitOutcome::TooThin;
     writeVertices(above, below);
     writeFaces(above, below);
     writeEdges(above, below);
@@ -72,6 +109,7 @@ class Splitter {
 
  private:
   using Index = std::uint32_t;
+  using CutFace = typename SplitScratchT<S>::CutFace;
 
   std::uint8_t sideOf(Index edge) const { return scratch_.sides[parent_.edges[edge].vertex]; }
   Index cutCount() const { return static_cast<Index>(scratch_.cut.size()); }
@@ -112,7 +150,7 @@ class Splitter {
     }
     slack_ = roundingSlack<S>(reach);
     // The repair keeps the farthest vertex of either side, so this is also the thickness after it.
-    const S thinnest = kIsExact<S> ? S(0) : maxOf<S>(S(kMinThickness) * extent_, slack_);
+    const S thinnest = kIsExact<S> ? S(0) : maxOf<S>(S(kMinThickness) * extent_, S(kMinThicknessOfReach) * reach);
     if (!(thinnest < highest) || !(thinnest < S(-lowest))) return SplitOutcome::TooThin;
     return SplitOutcome::Split;
   }
@@ -244,6 +282,38 @@ class Splitter {
     return false;
   }
 
+  /// Whether both sides have a positive volume, over the triangles massOf sums: fans from each face's first half-edge. Where a
+  /// piece is thinner than its caps are off their planes, it may have none although it reaches far from the cut.
+  bool haveVolume() const {
+    if constexpr (kIsExact<S>) return true;
+    Volumes volumes(scratch_.caps[0].point);  // the caps are fans from this point, and add nothing
+    for (Index face = 0; face < parent_.faces.size(); ++face) {
+      if (faceCut_[face] != kNotCut) continue;
+      const Index first = parent_.faces[face].edge;
+      volumes.startFan(parent_.startOf(first));
+      Index edge = parent_.edges[first].next;
+      for (; edge != first; edge = parent_.edges[edge].next) volumes.addCorner(sideOf(edge), parent_.startOf(edge));
+    }
+    for (Index i = 0; i < cutCount(); ++i) {
+      const Index after = i + 1 == cutCount() ? 0 : i + 1;
+      const CutFace& cut = scratch_.cut[i];
+      addPart(volumes, kAbove, after, i, cut.up, cut.down);
+      addPart(volumes, kBelow, i, after, cut.down, cut.up);
+    }
+    return volumes.six[kBelow] > 0.0 && volumes.six[kAbove] > 0.0;
+  }
+
+  /// The part of a cut face on one side: from where `leaving` is cut over where `entering` is cut and on along the loop.
+  void addPart(Volumes& volumes, std::uint8_t side, Index exit, Index entry, Index entering, Index leaving) const {
+    volumes.startFan(scratch_.caps[exit].point);
+    volumes.addCorner(side, scratch_.caps[entry].point);
+    Index edge = entering;
+    do {
+      edge = parent_.edges[edge].next;
+      volumes.addCorner(side, parent_.startOf(edge));
+    } while (edge != leaving);
+  }
+
   // No coordinates are computed beyond this point: topology only.
 
   void writeVertices(ConvexT<S>& above, ConvexT<S>& below) {
@@ -339,8 +409,9 @@ class Splitter {
       nearPart.next = static_cast<std::uint16_t>(closing);
       nearPart.opposite = static_cast<std::uint16_t>(inherited + following);
     }
-    child.faces[capFace] = {isAbove ? plane_.flipped() : plane_, static_cast<std::uint16_t>(inherited + count + 1),
-                            mark_.kind, mark_.cut};
+    // Both caps start at cut vertex 0, see haveVolume.
+    const Index first = inherited + count + 1 + (isAbove ? 0 : 2 * (count - 1));
+    child.faces[capFace] = {isAbove ? plane_.flipped() : plane_, static_cast<std::uint16_t>(first), mark_.kind, mark_.cut};
   }
 
   const ConvexViewT<S>& parent_;
