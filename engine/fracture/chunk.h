@@ -19,6 +19,7 @@ struct Chunk {
   std::uint32_t slot = kWholePart;  // index into Fracture::convexes
   bool isFragment = false;          // inside a carved volume
   bool isBonded = false;            // a fragment that laminated glass holds
+  bool isRim = false;               // a fragment that stays if it hangs on what remains
 };
 
 /// How far a convex reaches to both sides of a plane. [m], >= 0

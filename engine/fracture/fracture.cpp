@@ -8,14 +8,14 @@
 #include "engine/fracture/carve.h"
 #include "engine/fracture/neighbours.h"
 #include "engine/fracture/shatter.h"
+#include "engine/math/trig.h"
 
 namespace brittle::fracture {
 
 namespace {
 
-// Laminated glass lets go of what the striker itself pushes out, and little more. [-], [m] By eye.
-constexpr float kPunchClearance = 1.1f, kPunchMargin = 0.002f;
-constexpr float kHoleClearance = 1.05f;
+// So many of the fragments out of the striker's way stay in the rim: holes in glass are jagged. [-] By eye.
+constexpr float kRimStays = 0.35f;
 // A block breaks into so many pieces at 10 m/s, growing with the square root of the speed, within limits. [-] By eye.
 constexpr float kBlockPieces = 14.0f, kLeastBlockPieces = 4.0f, kMostBlockPieces = 80.0f;
 // Tempered glass breaks into no more dice than that; they grow larger instead. [-]
@@ -24,7 +24,7 @@ constexpr float kMostDice = 400.0f;
 constexpr float kContactShare = 1.0f / 400.0f;
 
 /// One random stream per purpose.
-enum class Stream : std::uint64_t { Hole, Cracks, Dice };
+enum class Stream : std::uint64_t { Hole, Cracks, Dice, Rim };
 
 Random streamOf(std::uint64_t seed, std::size_t impact, Stream stream) {
   return Random(mixSeed(seed, impact), static_cast<std::uint64_t>(stream));
@@ -51,12 +51,14 @@ struct Fracturer::Scratch {
   void breakAt(const Impact& impact, const FractureMaterial& material, std::uint64_t seed, std::size_t index);
   void shatterSheet(const Strike& strike, const Impact& impact, const FractureMaterial& material, Random random);
   void shatterBlock(const Strike& strike, const Impact& impact, const FractureMaterial& material, Random random);
+  void leaveSomeInTheRim(const Strike& strike, std::size_t first, Random random);
   void shatterEvenly(const DiceShape& shape, std::uint32_t count, Random& random);
   void diceAll(const Impact& impact, const FractureMaterial& material, std::uint64_t seed);
   void openAWay(const Impact& impact, const FractureMaterial& material, std::uint64_t seed);
   void makePieces(const FractureMaterial& material, float slop);
   bool isAnchored(const Chunk& chunk, float slop);
   void makeGroups(float slop);
+  bool hangTogether(std::uint32_t a, std::uint32_t b);
   void numberGroups();
   void chooseKept();
   void makeNeighbours();
@@ -84,12 +86,17 @@ void Fracturer::Scratch::breakAt(const Impact& impact, const FractureMaterial& m
     return;
   }
   const bool isLaminated = material.pattern == Pattern::Laminated;
-  if (isLaminated) {
-    const float punched = kPunchClearance * strike.strikerRadius + kPunchMargin;
-    carve(store, sheetCell(strike, punched, kHoleClearance, holeRandom), false, carving);
-  }
-  carve(store, sheetCell(strike, strike.radius, kHoleClearance, holeRandom), isLaminated, carving);
+  carve(store, sheetCell(strike, holeRandom), isLaminated, carving);
+  const std::size_t first = shattered.size();
   shatterSheet(strike, impact, material, streamOf(seed, index, Stream::Cracks));
+  if (!isLaminated) leaveSomeInTheRim(strike, first, streamOf(seed, index, Stream::Rim));
+}
+
+void Fracturer::Scratch::leaveSomeInTheRim(const Strike& strike, std::size_t first, Random random) {
+  for (std::size_t i = first; i < shattered.size(); ++i) {
+    const bool isChosen = random.nextFloat() < kRimStays;
+    shattered[i].isRim = isChosen && isAtRim(strike, store.view(shattered[i]), boxOf(store.view(shattered[i])).center());
+  }
 }
 
 void Fracturer::Scratch::shatterSheet(const Strike& strike, const Impact& impact, const FractureMaterial& material,
@@ -132,10 +139,11 @@ void Fracturer::Scratch::diceAll(const Impact& impact, const FractureMaterial& m
   carving.fragments.swap(carving.remains);
   carving.remains.clear();
   DiceShape shape;
-  shape.axes[0] = strike.right;
-  shape.axes[1] = strike.up;
+  const float roll = random.nextFloat(0.0f, kPi);
+  shape.axes[0] = strike.right * cosine(roll) + strike.up * sine(roll);
+  shape.axes[1] = strike.normal.cross(shape.axes[0]);
   shape.axes[2] = strike.normal;
-  shape.tilt = 0.25f;
+  shape.tilt = 0.3f;
   shape.keepsLastAxis = true;
   const float die = maxOf(material.dieSize, 1e-6f);
   const float layer = strike.thickness < 1.5f * die ? maxOf(strike.thickness, 1e-6f) : die;
@@ -218,16 +226,26 @@ void Fracturer::Scratch::makeGroups(float slop) {
   const float connectingArea = 4.0f * slop * slop;
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].isUsed = chunks[i].slot != kWholePart;
   finder.find(nodes, kContactShare * connectingArea, shared);
-  const auto hangsOn = [&](std::uint32_t piece) { return !chunks[piece].isFragment || chunks[piece].isBonded; };
   sets.reset(nodes.size());
   for (const SharedFace& face : shared) {
-    if (face.area <= connectingArea || !hangsOn(face.seed.pieceA) || !hangsOn(face.seed.pieceB)) continue;
-    sets.unite(face.seed.pieceA, face.seed.pieceB);
+    if (face.area > connectingArea && hangTogether(face.seed.pieceA, face.seed.pieceB)) {
+      sets.unite(face.seed.pieceA, face.seed.pieceB);
+    }
   }
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) nodes[i].isUsed = hangsOn(i);
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) nodes[i].isUsed = !chunks[i].isFragment || chunks[i].isBonded;
   connectNodes(nodes, slop, connecting, sets);
   numberGroups();
   chooseKept();
+}
+
+/// Whether sharing a face joins the two: what remains and what is bonded, and a fragment of the rim with what remains (but not with
+/// the next one of the rim: two that hold only each other fall apart). A fragment that stays is none any more.
+bool Fracturer::Scratch::hangTogether(std::uint32_t a, std::uint32_t b) {
+  const auto stays = [&](std::uint32_t i) { return !chunks[i].isFragment || chunks[i].isBonded; };
+  if (stays(a) && stays(b)) return true;
+  if (!(stays(a) && chunks[b].isRim) && !(stays(b) && chunks[a].isRim)) return false;
+  result.pieces[stays(a) ? b : a].isFragment = false;
+  return true;
 }
 
 /// All anchored sets are one group, the first: they stay in the body they are in. The others follow in the order of their pieces.

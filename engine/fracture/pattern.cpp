@@ -9,22 +9,31 @@ namespace brittle::fracture {
 namespace {
 
 constexpr float kTurn = 2.0f * kPi;
+constexpr float kClearance = 1.05f;      // how much wider than the striker's shadow the way through it is [-]
 // All of these by eye, from pictures of the pattern.
-constexpr float kThinRim = 0.08f;        // least depth beyond a wall, of the radius [-]
+constexpr float kThinRim = 0.12f;        // least depth beyond a wall, of the radius [-]
 constexpr float kThinShard = 0.035f;     // least depth beside a crack, of the radius [-]
 constexpr float kWidestCore = 1.45f;     // a wedge at the centre that is wider splits before its first ring [rad]
 constexpr float kWidestBand = 1.5f;      // a piece of a ring that is longer than this many widths of the ring splits [-]
+constexpr float kRimShare = 0.5f;        // pieces nearer to the centre do not stay in the rim, of the radius [-]
 constexpr float kRingShare[2][3] = {{0.24f, 0.56f, 0.0f}, {0.16f, 0.37f, 0.66f}};  // radii of 2 and 3 rings, of the radius [-]
 
 Vec3 inSheet(const Strike& strike, float angle) { return strike.right * cosine(angle) + strike.up * sine(angle); }
+
+/// Distance [m] from the strike's centre beyond which nothing is in the striker's way, in the direction `outward` within the sheet.
+float clearDistance(const Strike& strike, const Vec3& outward) {
+  const Vec3 aside = strike.passage - strike.center;
+  return aside.dot(outward) + kClearance * reachWithinSheet(strike, strike.strikerRadius, outward);
+}
 
 /// Grows the tree wedge by wedge, in the angle about the centre.
 class CrackGrower {
  public:
   CrackGrower(const Strike& strike, Random& random, CrackTree& tree) : strike_(strike), random_(random), tree_(tree) {}
 
-  void grow(std::uint32_t radials, std::uint32_t rings) {
+  void grow(std::uint32_t radials, std::uint32_t rings, bool hasCore) {
     rings_ = rings;
+    hasCore_ = hasCore;
     for (std::uint32_t i = 0; i < rings; ++i) radii_[i] = strike_.radius * kRingShare[rings == 3 ? 1 : 0][i];
     const float angle = random_.nextFloat(0.0f, kTurn);
     const std::uint32_t half = radials / 2;
@@ -77,7 +86,7 @@ class CrackGrower {
     const float jitter = random_.nextFloat(-0.32f, 0.32f);
     const float share = (static_cast<float>(lower) + jitter) / static_cast<float>(wedge.radials);
     const float angle = wedge.from + (wedge.to - wedge.from) * share;
-    const float turn = random_.nextFloat(-0.16f, 0.16f);
+    const float turn = random_.nextFloat(-0.22f, 0.22f);
     const float radius = wedge.ring == 0 ? 0.0f : radii_[wedge.ring - 1];
     const std::int32_t crack = add(radialPlane(angle, radius, wedge.ring == 0 ? 0.25f * turn : turn));
     const std::int32_t above = growWedge({angle, wedge.to, wedge.radials - lower, wedge.ring});
@@ -89,14 +98,18 @@ class CrackGrower {
   /// A concentric crack: straight from one radial to the next, slanted at random, now and then missing.
   std::int32_t crossWedge(const Wedge& wedge) {
     const Wedge beyond{wedge.from, wedge.to, wedge.radials, wedge.ring + 1};
-    const bool isMissing = random_.nextFloat() < 0.1f;
-    const float radius = radii_[wedge.ring] * random_.nextFloat(0.78f, 1.22f);
-    const float turn = random_.nextFloat(-0.3f, 0.3f);
+    const bool isMissing = random_.nextFloat() < 0.12f;
+    const float radius = radii_[wedge.ring] * random_.nextFloat(0.72f, 1.28f);
+    const float turn = random_.nextFloat(-0.42f, 0.42f);
     if (isMissing && wedge.ring > 0) return growWedge(beyond);
     const float middle = 0.5f * (wedge.from + wedge.to);
-    const Vec3 point = strike_.center + inSheet(strike_, middle) * radius;
-    const std::int32_t crack = add(planeThrough(point, inSheet(strike_, middle + turn)));
-    link(crack, growWedge(beyond), kNoCrack);
+    const Vec3 outward = inSheet(strike_, middle + turn);
+    const bool isCore = hasCore_ && wedge.ring == 0;
+    // A crack that is left out for leaving a sliver must still be clear of the striker.
+    const float distance = isCore ? clearDistance(strike_, outward) + tree_.minDepth : radius * cosine(turn);
+    const std::int32_t crack = add(planeThrough(strike_.center + outward * distance, outward));
+    const std::int32_t above = growWedge(beyond);
+    link(crack, above, isCore ? kCore : kNoCrack);
     return crack;
   }
 
@@ -104,6 +117,7 @@ class CrackGrower {
   Random& random_;
   CrackTree& tree_;
   std::uint32_t rings_ = 0;
+  bool hasCore_ = false;
   float radii_[3] = {};
 };
 
@@ -119,26 +133,34 @@ std::uint32_t wallAt(std::uint32_t position, std::uint32_t count) {
 
 }  // namespace
 
-Cell sheetCell(const Strike& strike, float radius, float clearance, Random& random) {
+Cell sheetCell(const Strike& strike, Random& random) {
   Cell cell;
   const std::uint32_t count = kMinWalls + random.nextBelow(kMaxWalls - kMinWalls + 1);
   const float sector = kTurn / static_cast<float>(count);
   const float start = random.nextFloat(0.0f, kTurn);
-  const Vec3 aside = strike.passage - strike.center;
   Plane walls[kMaxWalls];
   for (std::uint32_t i = 0; i < count; ++i) {
     const float jitter = random.nextFloat(-0.3f, 0.3f);
     const Vec3 outward = inSheet(strike, start + (static_cast<float>(i) + jitter) * sector);
-    const float wanted = radius * random.nextFloat(0.8f, 1.12f);
-    const float needed = aside.dot(outward) + clearance * reachWithinSheet(strike, strike.strikerRadius, outward);
-    walls[i] = planeThrough(strike.center + outward * maxOf(wanted, needed), outward);
+    const float wanted = strike.radius * random.nextFloat(0.8f, 1.12f);
+    walls[i] = planeThrough(strike.center + outward * maxOf(wanted, clearDistance(strike, outward)), outward);
   }
   for (std::uint32_t position = 0; cell.count < count; ++position) {
     const std::uint32_t index = wallAt(position, count);
     if (index < count) cell.walls[cell.count++] = walls[index];
   }
-  cell.minDepth = kThinRim * radius;
+  cell.minDepth = kThinRim * strike.radius;
   return cell;
+}
+
+bool isAtRim(const Strike& strike, const geometry::ConvexView& convex, const Vec3& center) {
+  const Vec3 offset = center - strike.center;
+  const Vec3 outward = normalizedOr(offset - strike.normal * strike.normal.dot(offset), strike.right);
+  const float least = maxOf(clearDistance(strike, outward), kRimShare * strike.radius);
+  for (const geometry::Vertex& vertex : convex.vertices) {
+    if (outward.dot(vertex.point - strike.center) < least) return false;
+  }
+  return true;
 }
 
 Cell blockCell(const Strike& strike, Random& random) {
@@ -170,7 +192,8 @@ void growSheetCracks(const Strike& strike, const FractureMaterial& material, flo
   tree.cracks.clear();
   tree.minDepth = kThinShard * strike.radius;
   const std::uint32_t rings = 2 + random.nextBelow(2);
-  CrackGrower(strike, random, tree).grow(radialCount(material, speed), rings);
+  const bool hasCore = material.pattern == Pattern::Laminated;
+  CrackGrower(strike, random, tree).grow(radialCount(material, speed), rings, hasCore);
 }
 
 }  // namespace brittle::fracture

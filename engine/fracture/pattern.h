@@ -20,8 +20,11 @@ struct Cell {
 };
 
 /// The hole in a sheet: an irregular polygonal cylinder along the sheet's normal about the strike's centre, with the radius
-/// `radius` [m] give or take a fifth. Whatever the slant, a striker of the strike's radius times `clearance` fits through.
-Cell sheetCell(const Strike& strike, float radius, float clearance, Random& random);
+/// strike's radius give or take a fifth. Whatever the slant, the striker fits through.
+Cell sheetCell(const Strike& strike, Random& random);
+
+/// True if all of the convex is clear of the striker's way through the sheet and far enough from the centre to stay in the rim.
+bool isAtRim(const Strike& strike, const geometry::ConvexView& convex, const Vec3& center);
 
 /// The hole in a block: an irregular polyhedron about the strike's centre; a ball of the striker's radius fits in.
 Cell blockCell(const Strike& strike, Random& random);
@@ -30,7 +33,8 @@ Cell blockCell(const Strike& strike, Random& random);
 /// Source of the exponent: Vandenberghe, Vermorel, Villermaux, Star-Shaped Crack Pattern of Broken Windows, 2013.
 std::uint32_t radialCount(const FractureMaterial& material, float speed);
 
-inline constexpr std::int32_t kNoCrack = -1;
+/// Ends of the tree: a piece, and a piece of the core, which the striker meets.
+inline constexpr std::int32_t kNoCrack = -1, kCore = -2;
 
 struct Crack {
   Plane plane;
@@ -43,7 +47,8 @@ struct CrackTree {
   float minDepth = 0.0f;  // a crack that would leave less than this on a side [m] is left out
 };
 
-/// Radial cracks that branch outwards, and concentric ones from radial to radial, denser towards the centre.
+/// Radial cracks that branch outwards, and concentric ones from radial to radial, denser towards the centre. In laminated glass the
+/// first ring runs around the striker, so that what it pushes out is the core and nothing else.
 void growSheetCracks(const Strike& strike, const FractureMaterial& material, float speed, Random& random, CrackTree& tree);
 
 }  // namespace brittle::fracture

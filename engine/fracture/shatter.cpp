@@ -53,8 +53,9 @@ void shatterAlong(ChunkStore& store, const CrackTree& tree, const Chunk& chunk, 
   while (!scratch.branches.empty()) {
     const ShatterScratch::Branch branch = scratch.branches.back();
     scratch.branches.pop_back();
-    if (branch.crack == kNoCrack) {
+    if (branch.crack < 0) {
       pieces.push_back(branch.chunk);
+      if (branch.crack == kCore) pieces.back().isBonded = false;
       continue;
     }
     const Crack& crack = tree.cracks[static_cast<std::size_t>(branch.crack)];

@@ -23,7 +23,7 @@ struct ShatterScratch {
   std::vector<Share> shares;
 };
 
-/// Cuts `chunk` by the tree and appends the pieces. Cracks that would leave a sliver are left out.
+/// Cuts `chunk` by the tree and appends the pieces; those of the core lose their bond. Cracks that would leave a sliver are left out.
 void shatterAlong(ChunkStore& store, const CrackTree& tree, const Chunk& chunk, ShatterScratch& scratch, std::vector<Chunk>& pieces);
 
 /// How `shatterInto` lays its cuts.

@@ -67,7 +67,7 @@ TEST(Pattern, SheetCellsAreClosedAroundTheStrikerWhateverTheSlant) {
     const float slant = random.nextFloat(0.0f, 1.0472f);
     impact.direction = Vec3(sine(slant), 0.0f, -cosine(slant));
     const Strike strike = strikeOf(scene.parts, impact, {});
-    const Cell cell = sheetCell(strike, strike.radius, 1.0f, random);
+    const Cell cell = sheetCell(strike, random);
     ASSERT_GE(cell.count, kMinWalls);
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       EXPECT_NEAR(cell.walls[i].normal.dot(strike.normal), 0.0f, 1e-6f);
