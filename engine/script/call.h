@@ -3,11 +3,12 @@
 // So a native reads all its arguments, leaves if `failed()`, and only then acts.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "engine/core/random.h"
 #include "engine/script/value.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 struct lua_State;
 
@@ -45,21 +46,16 @@ class Call {
   bool failed() const { return failed_; }
 
   /// Adds a result; they are handed to the script in this order unless the call failed.
-  void result(Value value) { results_.push_back(std::move(value)); }
-  void result(double value) { results_.push_back(value); }
-  void result(float value) { results_.push_back(static_cast<double>(value)); }
-  void result(int value) { results_.push_back(static_cast<double>(value)); }
-  void result(bool value) { results_.push_back(value); }
-  void result(const char* value) { results_.push_back(std::string(value)); }
+  void result(Value value);
 
   /// Takes from the instruction budget: for natives whose work grows with their arguments.
   void charge(std::int64_t instructions);
 
   /// The script line that made this call: for messages and for "who asked".
-  const std::string& file() const { return file_; }
-  int line() const { return line_; }
+  const std::string& file() const;
+  int line() const;
   /// "file:line".
-  std::string where() const { return file_ + ":" + std::to_string(line_); }
+  std::string where() const { return file() + ":" + std::to_string(line()); }
 
   /// The sandbox's own random stream (math.random draws from it too).
   Random& random();
@@ -71,15 +67,13 @@ class Call {
 
  private:
   friend class SandboxState;
-  Call(lua_State* lua, const char* name);
+  Call(lua_State* lua, const std::string& name) : lua_(lua), name_(name) {}
   void* userPointer();
   void refuse(int index, const char* expected);
   double rounded(int index, double value);
 
   lua_State* lua_;
-  const char* name_;
-  std::string file_;
-  int line_ = 0;
+  const std::string& name_;
   bool failed_ = false;
   std::string message_;
   std::vector<Value> results_;

@@ -1,0 +1,130 @@
+#include "script_helpers.h"
+
+#include <gmock/gmock.h>
+
+namespace brittle::script {
+namespace {
+
+constexpr const char* kSource = R"(
+  local count, list = 0, {}
+  local shared = {n = 1}
+  a, b = shared, shared
+  ring = {} ring.self = ring
+  function tick()
+    count = count + 1
+    list[#list + 1] = math.random(100)
+    shared.n = shared.n * 1.5
+    names = names or {}
+    names['k' .. count % 3] = {count, count % 2 == 0, tick}
+    return count .. ':' .. table.concat(list, ',') .. ':' .. a.n .. ':' .. b.n .. ':' .. tostring(ring.self == ring) .. #names
+  end
+)";
+
+Sandbox loaded() {
+  Sandbox sandbox(noLibrary(), 9);
+  EXPECT_TRUE(sandbox.load(kSource, "t.lua"));
+  return sandbox;
+}
+
+TEST(Snapshot, ARestoredScriptGoesOnAsTheOriginal) {
+  Sandbox original = loaded();
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(original.call("tick"));
+  ByteWriter saved;
+  ASSERT_TRUE(original.save(saved));
+  Sandbox restored = loaded();
+  ByteReader reader(saved.bytes());
+  const Status status = restored.restore(reader);
+  ASSERT_TRUE(status) << status.error().message;
+  EXPECT_EQ(reader.remaining(), 0u);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(*original.call("tick"), *restored.call("tick"));
+  ByteWriter first, second;
+  ASSERT_TRUE(original.save(first));
+  ASSERT_TRUE(restored.save(second));
+  EXPECT_EQ(first.bytes(), second.bytes());
+}
+
+TEST(Snapshot, BytesDependOnContentsAlone) {
+  const auto bytesAfter = [](const std::string& source) {
+    Sandbox sandbox(noLibrary());
+    EXPECT_TRUE(sandbox.load("function f() " + source + " end", "t.lua"));
+    EXPECT_TRUE(sandbox.call("f"));
+    ByteWriter out;
+    EXPECT_TRUE(sandbox.save(out));
+    return out.bytes();
+  };
+  EXPECT_EQ(bytesAfter("t = {} t.x = 1 t.y = 2 t[1] = 3"), bytesAfter("t = {3, y = 2, z = 1} t.z = nil t.x = 1"));
+  EXPECT_NE(bytesAfter("t = {1}"), bytesAfter("t = {2}"));
+}
+
+TEST(Snapshot, RemovedAndReplacedGlobalsAreKept) {
+  const char* source = "function change() next = nil change = nil print = tostring extra = 4 end";
+  Sandbox original(noLibrary());
+  ASSERT_TRUE(original.load(source, "t.lua"));
+  ASSERT_TRUE(original.call("change"));
+  ByteWriter saved;
+  ASSERT_TRUE(original.save(saved));
+  Sandbox restored(noLibrary());
+  ASSERT_TRUE(restored.load(source, "t.lua"));
+  ByteReader reader(saved.bytes());
+  ASSERT_TRUE(restored.restore(reader));
+  EXPECT_FALSE(restored.has("change"));
+  EXPECT_EQ(restored.get("extra"), Value(4.0));
+  ASSERT_TRUE(restored.load("result = type(next) .. print(5)", "u.lua"));
+  EXPECT_EQ(restored.get("result"), Value("nil5"));
+}
+
+TEST(Snapshot, AFunctionMadeWhileRunningIsRefused) {
+  Sandbox sandbox(noLibrary());
+  ASSERT_TRUE(sandbox.load("function f() later = function() end end", "t.lua"));
+  ASSERT_TRUE(sandbox.call("f"));
+  ByteWriter out;
+  EXPECT_THAT(sandbox.save(out).error().message, testing::HasSubstr("'later': a function made while running cannot be saved"));
+  EXPECT_TRUE(out.bytes().empty());
+}
+
+TEST(Snapshot, DeepListsDoNotOverflow) {
+  Sandbox sandbox(noLibrary());
+  ASSERT_TRUE(sandbox.load("function f() for i = 1, 20000 do head = {head} end end", "t.lua"));
+  ASSERT_TRUE(sandbox.call("f"));
+  ByteWriter out;
+  EXPECT_TRUE(sandbox.save(out));
+  Sandbox other(noLibrary());
+  ASSERT_TRUE(other.load("function f() for i = 1, 20000 do head = {head} end end", "t.lua"));
+  ByteReader reader(out.bytes());
+  EXPECT_TRUE(other.restore(reader));
+}
+
+TEST(Snapshot, OtherScriptsAreRefused) {
+  Sandbox original = loaded();
+  ByteWriter saved;
+  ASSERT_TRUE(original.save(saved));
+  Sandbox other(noLibrary());
+  ASSERT_TRUE(other.load("x = 1", "t.lua"));
+  ByteReader reader(saved.bytes());
+  EXPECT_THAT(other.restore(reader).error().message, testing::HasSubstr("saved with other scripts"));
+}
+
+TEST(Snapshot, DamagedBytesNeverCrash) {
+  Sandbox original = loaded();
+  ASSERT_TRUE(original.call("tick"));
+  ByteWriter saved;
+  ASSERT_TRUE(original.save(saved));
+  std::vector<unsigned char> bytes = saved.bytes();
+  for (std::size_t cut = 0; cut < bytes.size(); ++cut) {
+    Sandbox sandbox = loaded();
+    ByteReader reader(std::span<const unsigned char>(bytes.data(), cut));
+    EXPECT_FALSE(sandbox.restore(reader)) << cut;
+  }
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const int bit : {0, 1, 4, 7}) {
+      bytes[at] = static_cast<unsigned char>(bytes[at] ^ (1 << bit));
+      Sandbox sandbox = loaded();
+      ByteReader reader(bytes);
+      if (sandbox.restore(reader)) (void)sandbox.call("tick", {}, 10000);
+      bytes[at] = static_cast<unsigned char>(bytes[at] ^ (1 << bit));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brittle::script
