@@ -35,7 +35,7 @@ TEST(Simd, LanesGiveTheScalarBits) {
 
 TEST(Simd, FourVectorsAreFourScalarVectors) {
   Random random(13);
-  Vec3x4 a, b;
+  Wide3<Float4> a, b;
   Vec3 as[kLanes], bs[kLanes];
   for (int lane = 0; lane < kLanes; ++lane) {
     for (int i = 0; i < 3; ++i) {
@@ -46,11 +46,8 @@ TEST(Simd, FourVectorsAreFourScalarVectors) {
     b.x[lane] = bs[lane].x(), b.y[lane] = bs[lane].y(), b.z[lane] = bs[lane].z();
   }
   const Float4 products = dot(a, b);
-  const Vec3x4 crossed = cross(a, b);
   for (int lane = 0; lane < kLanes; ++lane) {
     EXPECT_EQ(products[lane], (as[lane].x() * bs[lane].x() + as[lane].y() * bs[lane].y()) + as[lane].z() * bs[lane].z());
-    const Vec3 expected = as[lane].cross(bs[lane]);
-    EXPECT_EQ(Vec3(crossed.x[lane], crossed.y[lane], crossed.z[lane]), expected);
   }
 }
 
