@@ -67,14 +67,14 @@ std::uint64_t lanes() {
   Random random(7);
   Float4 sum = splat(0.0f);
   for (int i = 0; i < 20000; ++i) {
-    Vec3x4 a, b;
+    Wide3<Float4> a, b;
     for (int lane = 0; lane < kLanes; ++lane) {
       const Vec3 u = randomVector(random, 2.0f);
       const Vec3 v = randomVector(random, 2.0f);
       a.x[lane] = u.x(), a.y[lane] = u.y(), a.z[lane] = u.z();
       b.x[lane] = v.x(), b.y[lane] = v.y(), b.z[lane] = v.z();
     }
-    const Vec3x4 c = cross(a, b);
+    const Wide3<Float4> c = a * splat(0.7f) - b;
     sum = maxOf(minOf(sum * splat(0.5f) + dot(c, a + b * splat(0.3f)), splat(100.0f)), splat(-100.0f)) + squareRoot(dot(c, c));
     for (int lane = 0; lane < kLanes; ++lane) hash.add(static_cast<float>(sum[lane]));
   }
