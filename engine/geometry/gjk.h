@@ -54,14 +54,15 @@ Transform poseAt(const Motion& motion, float time);
 
 struct Impact {
   bool hit = false;
-  float time = 0.0f;            // [s], from 0 to the duration asked for
+  float time = 0.0f;            // [s], from 0 to the duration asked for; without a hit: the path is free up to here
   Vec3 normal = Vec3::UnitY();  // from A towards B at that time
   Vec3 point = Vec3::Zero();    // world
 };
 
 /// First time in [0, duration] at which the two come within `target` [m] > 0 while approaching. A pair already within the
-/// target at time 0 hits at 0 if it approaches, else never. Conservative advancement: never reports a time after the true one
-/// by more than target/speed, and never a hit for a pair whose least distance stays above `target`.
+/// target at time 0 hits at 0 if it approaches (by more than target/100 within the duration), else never. Conservative
+/// advancement: never reports a time after the true one by more than target/speed, and never a hit for a pair whose least
+/// distance stays above `target`. A graze that comes between 0.75 target and target may count as a miss.
 /// Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
 Impact timeOfImpact(const Proxy& a, const Motion& motionA, const Proxy& b, const Motion& motionB, float duration, float target);
 

@@ -7,41 +7,38 @@ namespace brittle::geometry {
 
 namespace {
 
-struct Box {
-  Vec3d low = Vec3d::Constant(1.0e300), high = Vec3d::Constant(-1.0e300);
-  void include(const Vec3d& point) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = minOf(low[i], point[i]);
-      high[i] = maxOf(high[i], point[i]);
-    }
-  }
-  /// Whether the box of the segment comes within `distance`.
-  bool isNear(const Vec3d& p, const Vec3d& q, double distance) const {
-    for (int i = 0; i < 3; ++i)
-      if (minOf(p[i], q[i]) > high[i] + distance || maxOf(p[i], q[i]) < low[i] - distance) return false;
-    return true;
-  }
-};
-
 /// An edge with its two faces' outward normals, in A's frame.
 struct EdgeLine {
-  Vec3d start, end, direction;  // direction is a unit vector
+  Vec3d start, along, direction;  // direction is a unit vector
   Vec3d normals[2];
 };
 
-struct Scratch {
-  std::vector<Vec3d> pointsA, pointsB;
-  std::vector<EdgeLine> edgesA, edgesB;
+/// One of the two convexes, in A's frame and in double.
+struct Side {
+  std::vector<Vec3d> points, normals;
+  std::vector<std::uint32_t> refuted;  // per face: which of the other's deep points lie below it by more than the best depth
+  std::vector<EdgeLine> edges;
+  Vec3d deep[32];                      // extreme points met so far: those of this convex that reach deepest into the other
+  std::uint32_t deepIndex[32];
+  int deepCount = 0;
 };
 
 /// Projections nearer to zero than this cannot tell on which side they are: normals are floats.
 constexpr double kSideSlack = 1e-6;
+/// An edge axis has to beat the faces by this fraction of the depth, so that rounding does not choose between equals.
+constexpr double kEdgeSlack = 1e-6;
 
-std::uint32_t farthest(const std::vector<Vec3d>& points, const Vec3d& direction) {
+bool isUnit(const Vec3& normal) {
+  const float squared = normal.squaredNorm();
+  return squared > 0.99f && squared < 1.01f;
+}
+
+std::uint32_t farthest(const std::vector<Vec3d>& points, double x, double y, double z) {
   std::uint32_t best = 0;
-  double bestAlong = points[0].dot(direction);
-  for (std::uint32_t i = 1; i < points.size(); ++i) {
-    const double along = points[i].dot(direction);
+  double bestAlong = -1.0e300;
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double along = (x * points[i].x() + y * points[i].y()) + z * points[i].z();
     if (along > bestAlong) {
       bestAlong = along;
       best = i;
@@ -50,106 +47,116 @@ std::uint32_t farthest(const std::vector<Vec3d>& points, const Vec3d& direction)
   return best;
 }
 
-bool isUnit(const Vec3& normal) {
-  const float squared = normal.squaredNorm();
-  return squared > 0.9f && squared < 1.1f;
+void addDeep(Side& side, std::uint32_t index) {
+  for (int i = 0; i < side.deepCount; ++i)
+    if (side.deepIndex[i] == index) return;
+  if (side.deepCount == 32) return;
+  side.deepIndex[side.deepCount] = index;
+  side.deep[side.deepCount++] = side.points[index];
 }
 
 class AxisTest {
  public:
-  AxisTest(const ConvexView& a, const ConvexView& b, const RelativePose& pose, Scratch& scratch) : a_(a), b_(b), pose_(pose), scratch_(scratch) {
-    scratch.pointsA.resize(a.vertices.size());
-    scratch.pointsB.resize(b.vertices.size());
-    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-      scratch.pointsA[i] = a.vertices[i].point.cast<double>();
-      boxA_.include(scratch.pointsA[i]);
-    }
-    for (std::size_t i = 0; i < b.vertices.size(); ++i) {
-      scratch.pointsB[i] = pose.apply(b.vertices[i].point);
-      boxB_.include(scratch.pointsB[i]);
-    }
+  AxisTest(const ConvexView& a, const ConvexView& b, const RelativePose& pose, Side& sideA, Side& sideB)
+      : a_(a), b_(b), sideA_(sideA), sideB_(sideB) {
+    place(a, RelativePose{}, sideA);
+    place(b, pose, sideB);
   }
 
   Penetration run(std::uint32_t deepA, std::uint32_t deepB) {
-    testFaces(deepA, deepB);
-    if (best_.separation < -1.0e299) tryAxis(normalBetween(), deepA, deepB);
-    testEdges();
+    testFaces(a_, sideA_, sideB_, deepB);
+    testFaces(b_, sideB_, sideA_, deepA);
+    if (best_.separation < -1.0e299) tryAxis(normalBetween(), sideA_, sideB_, sideA_.points[0]);
+    refute(a_, sideA_, sideB_);
+    refute(b_, sideB_, sideA_);
+    collect(a_, sideA_);
+    if (!sideA_.edges.empty()) collect(b_, sideB_);
+    if (!sideA_.edges.empty()) testEdges();
+    best_.normal.normalize();
     return best_;
   }
 
  private:
+  static void place(const ConvexView& convex, const RelativePose& pose, Side& side) {
+    side.points.resize(convex.vertices.size());
+    side.normals.resize(convex.faces.size());
+    side.deepCount = 0;
+    for (std::size_t i = 0; i < convex.vertices.size(); ++i) side.points[i] = pose.apply(convex.vertices[i].point);
+    for (std::size_t i = 0; i < convex.faces.size(); ++i) side.normals[i] = pose.rotate(convex.faces[i].plane.normal);
+  }
+
   Vec3d normalBetween() const {
-    const Vec3d apart = (boxB_.low + boxB_.high) - (boxA_.low + boxA_.high);
+    const Vec3d apart = sideB_.points[0] - sideA_.points[0];
     const double length = apart.norm();
     return length > 1e-30 ? Vec3d(apart / length) : Vec3d(0.0, 1.0, 0.0);
   }
 
-  /// Measures the axis over all vertices; keeps it if it separates better. deepA and deepB become the extreme vertices.
-  bool tryAxis(const Vec3d& axis, std::uint32_t& deepA, std::uint32_t& deepB) {
-    deepB = farthest(scratch_.pointsB, -axis);
-    const double low = scratch_.pointsB[deepB].dot(axis);
-    if (low - scratch_.pointsA[deepA].dot(axis) <= best_.separation) return false;
-    deepA = farthest(scratch_.pointsA, axis);
-    const double separation = low - scratch_.pointsA[deepA].dot(axis);
-    if (separation <= best_.separation) return false;
+  /// Measures an axis that leaves `from` over all vertices and keeps it if it separates better. Returns the extreme vertex of
+  /// `to`. Any pair of points bounds the separation from above, so a hopeless axis costs one search.
+  std::uint32_t tryAxis(const Vec3d& axis, const Side& from, const Side& to, const Vec3d& onFrom) {
+    const std::uint32_t deepest = farthest(to.points, -axis.x(), -axis.y(), -axis.z());
+    const double low = to.points[deepest].dot(axis);
+    if (low - onFrom.dot(axis) <= best_.separation) return deepest;
+    const double separation = low - from.points[farthest(from.points, axis.x(), axis.y(), axis.z())].dot(axis);
+    if (separation <= best_.separation) return deepest;
     best_.separation = separation;
-    best_.normal = axis;
-    return true;
+    best_.normal = &from == &sideA_ ? axis : Vec3d(-axis);
+    // The foot of the deepest vertex on the face.
+    const Vec3d foot = to.points[deepest] - separation * axis;
+    best_.pointA = &from == &sideA_ ? foot : to.points[deepest];
+    best_.pointB = &from == &sideA_ ? to.points[deepest] : foot;
+    return deepest;
   }
 
-  /// Any pair of points gives an upper bound of an axis' separation, so the extreme vertices of the best axis so far rule out
-  /// most others at the cost of one projection.
-  void testFaces(std::uint32_t deepA, std::uint32_t deepB) {
-    for (const Face& face : a_.faces) {
-      if (!isUnit(face.plane.normal)) continue;
-      const Vec3d axis = face.plane.normal.cast<double>().normalized();
-      if ((scratch_.pointsB[deepB] - scratch_.pointsA[a_.edges[face.edge].vertex]).dot(axis) <= best_.separation) continue;
-      if (!tryAxis(axis, deepA, deepB)) continue;
-      best_.pointB = scratch_.pointsB[deepB];
-      best_.pointA = best_.pointB - best_.separation * axis;
-    }
-    for (const Face& face : b_.faces) {
-      if (!isUnit(face.plane.normal)) continue;
-      const Vec3d axis = -pose_.rotate(face.plane.normal).normalized();
-      if ((scratch_.pointsB[b_.edges[face.edge].vertex] - scratch_.pointsA[deepA]).dot(axis) <= best_.separation) continue;
-      if (!tryAxis(axis, deepA, deepB)) continue;
-      best_.pointA = scratch_.pointsA[deepA];
-      best_.pointB = best_.pointA + best_.separation * axis;
+  /// The axes of one convex' faces. The deep points known so far rule out most of them.
+  void testFaces(const ConvexView& own, const Side& ownSide, Side& other, std::uint32_t deep) {
+    addDeep(other, deep);
+    for (std::size_t f = 0; f < own.faces.size(); ++f) {
+      const Vec3d& normal = ownSide.normals[f];
+      const Vec3d& onFace = ownSide.points[own.edges[own.faces[f].edge].vertex];
+      if (!isUnit(own.faces[f].plane.normal)) continue;
+      const double limit = best_.separation + onFace.dot(normal);
+      bool hopeless = false;
+      for (int i = 0; i < other.deepCount && !hopeless; ++i) hopeless = other.deep[i].dot(normal) <= limit;
+      if (!hopeless) addDeep(other, tryAxis(normal, ownSide, other, onFace));
     }
   }
 
-  /// On the axis of least depth the two touch after moving by that depth, in points of the two edges: so each edge comes within
-  /// the depth known so far of the other convex. For shallow overlaps this leaves a handful of edges.
-  void testEdges() {
-    const double depth = maxOf(-best_.separation, 0.0);
-    collect(a_, Mat3d::Identity(), scratch_.pointsA, boxB_, depth, scratch_.edgesA);
-    if (scratch_.edgesA.empty()) return;
-    collect(b_, pose_.rotation, scratch_.pointsB, boxA_, depth, scratch_.edgesB);
-    for (const EdgeLine& edgeA : scratch_.edgesA)
-      for (const EdgeLine& edgeB : scratch_.edgesB)
-        if (isFaceOfDifference(edgeA, edgeB)) testEdgePair(edgeA, edgeB);
+  /// On an axis between the normals of two faces of A, A's extreme point is on their edge. If some point of B is below both faces
+  /// by at least the depth known so far, it is so for every axis between, and the edge cannot do better: notes for each face
+  /// which points of the other are that deep. A vertex deep inside all faces refutes every edge at once.
+  void refute(const ConvexView& own, Side& ownSide, const Side& other) const {
+    ownSide.refuted.resize(own.faces.size());
+    const double limit = best_.separation + kEdgeSlack * std::abs(best_.separation);
+    for (std::size_t f = 0; f < own.faces.size(); ++f) {
+      const Vec3d& normal = ownSide.normals[f];
+      const double offset = ownSide.points[own.edges[own.faces[f].edge].vertex].dot(normal);
+      std::uint32_t mask = 0;
+      for (int i = 0; i < other.deepCount; ++i)
+        if (other.deep[i].dot(normal) - offset <= limit) mask |= 1u << i;
+      ownSide.refuted[f] = mask;
+    }
   }
 
-  static void collect(const ConvexView& convex, const Mat3d& turn, const std::vector<Vec3d>& points, const Box& other, double depth,
-                      std::vector<EdgeLine>& edges) {
-    edges.clear();
+  static void collect(const ConvexView& convex, Side& side) {
+    side.edges.clear();
     for (std::uint32_t i = 0; i < convex.edges.size(); ++i) {
       const Edge& edge = convex.edges[i];
       if (edge.opposite < i) continue;
       const Edge& twin = convex.edges[edge.opposite];
-      const Vec3d& start = points[edge.vertex];
-      const Vec3d& end = points[twin.vertex];
-      if (!other.isNear(start, end, depth)) continue;
-      const Vec3d along = end - start;
+      if ((side.refuted[edge.face] & side.refuted[twin.face]) != 0) continue;
+      const Vec3d& start = side.points[edge.vertex];
+      const Vec3d along = side.points[twin.vertex] - start;
       const double length = along.norm();
       if (length < 1e-30) continue;
-      EdgeLine& line = edges.emplace_back();
-      line.start = start;
-      line.end = end;
-      line.direction = along / length;
-      line.normals[0].noalias() = turn * convex.faces[edge.face].plane.normal.cast<double>();
-      line.normals[1].noalias() = turn * convex.faces[twin.face].plane.normal.cast<double>();
+      side.edges.push_back({start, along, along / length, {side.normals[edge.face], side.normals[twin.face]}});
     }
+  }
+
+  void testEdges() {
+    for (const EdgeLine& edgeA : sideA_.edges)
+      for (const EdgeLine& edgeB : sideB_.edges)
+        if (isFaceOfDifference(edgeA, edgeB)) testEdgePair(edgeA, edgeB);
   }
 
   /// Only edge pairs whose arcs cross on the Gauss map (A's, and B's mirrored) make a face of the Minkowski difference.
@@ -167,30 +174,25 @@ class AxisTest {
     if (sine < 1e-6) return;  // parallel: a face's normal or another pair has the axis
     axis /= sine;
     if (axis.dot(a.normals[0] + a.normals[1]) < 0.0) axis = -axis;
-    if ((b.start - a.start).dot(axis) <= best_.separation + kSlackOfFaces * maxOf(-best_.separation, 0.0)) return;
-    std::uint32_t deepA = 0, deepB = 0;
-    if (!tryAxis(axis, deepA, deepB)) return;
-    nearestOnLines(a, b);
+    if ((b.start - a.start).dot(axis) <= best_.separation + kEdgeSlack * std::abs(best_.separation)) return;
+    const double before = best_.separation;
+    tryAxis(axis, sideA_, sideB_, a.start);
+    if (best_.separation > before) nearestOnLines(a, b);
   }
 
   void nearestOnLines(const EdgeLine& a, const EdgeLine& b) {
     const Vec3d apart = a.start - b.start;
     const double cosine = a.direction.dot(b.direction), alongA = a.direction.dot(apart), alongB = b.direction.dot(apart);
-    const double lengthA = (a.end - a.start).norm(), lengthB = (b.end - b.start).norm();
-    const double s = clampTo((cosine * alongB - alongA) / (1.0 - cosine * cosine), 0.0, lengthA);
-    const double t = clampTo(cosine * s + alongB, 0.0, lengthB);
+    const double s = clampTo((cosine * alongB - alongA) / (1.0 - cosine * cosine), 0.0, a.along.norm());
+    const double t = clampTo(cosine * s + alongB, 0.0, b.along.norm());
     best_.pointA = a.start + s * a.direction;
     best_.pointB = b.start + t * b.direction;
   }
 
-  /// An edge axis has to beat the faces by this fraction of the depth, so that rounding does not choose between equals.
-  static constexpr double kSlackOfFaces = 1e-6;
-
   const ConvexView& a_;
   const ConvexView& b_;
-  const RelativePose& pose_;
-  Scratch& scratch_;
-  Box boxA_, boxB_;
+  Side& sideA_;
+  Side& sideB_;
   Penetration best_;
 };
 
@@ -198,8 +200,8 @@ class AxisTest {
 
 Penetration leastPenetration(const ConvexView& a, const ConvexView& b, const RelativePose& pose, std::uint32_t deepA,
                              std::uint32_t deepB) {
-  thread_local Scratch scratch;
-  return AxisTest(a, b, pose, scratch).run(deepA, deepB);
+  thread_local Side sides[2];
+  return AxisTest(a, b, pose, sides[0], sides[1]).run(deepA, deepB);
 }
 
 Penetration pointPenetration(const ConvexView& a, const Vec3d& point) {
