@@ -4,10 +4,14 @@
 // the velocity that turns with them: a pendulum would lose w^2 dt/2 of its speed per second and its anchor would drift by
 // w^2 r dt^2/2 per tick. So the rows hold the mean velocity over the tick instead: with the rotation vector t = w dt,
 //   (R(t) r - r) / dt = w x r + (dt/2) w x (w x r) + O(dt^2),
-// and the second term is the row's bias. Impulses still act along the arms of the beginning, halfway between the velocities
+// and the second term is the row's bias c. Impulses still act along the arms of the beginning, halfway between the velocities
 // before and after, which makes the method symmetric in time, so that energy does not drift to second order.
+// Where motion is not smooth (a whip's crack, a blow) that would add energy: impulses p between the relative speeds u before the
+// tick and -c after it do the work p . (u - c) / 2 = -(u K^-1 u - c K^-1 c) / 2, so c is never let grow longer than u.
 // Source: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, VII.1.4 (SHAKE and RATTLE).
 #include "engine/physics/joint.h"
+
+#include <cmath>
 
 #include "engine/physics/state.h"
 
@@ -27,17 +31,24 @@ Vec3 turning(const Vec3& w, const Vec3& arm, float dt) {
   return w.cross(w.cross(arm)) * scale;
 }
 
+Vec3 shortened(const Vec3& v, float longest) {
+  const float length = v.norm();
+  return length > longest ? Vec3(v * (longest / length)) : v;
+}
+
 /// What the rows' speeds lack of the mean over the tick.
 void addTurning(const PreparedJoint& joint, const SolverBody& a, const SolverBody& b, float dt, float* speeds) {
   const JointRows& rows = joint.rows;
   if (rows.linearCount == 3) {
     const Vec3 bias = turning(a.angularVelocity, rows.armA, dt) - turning(b.angularVelocity, rows.armB, dt);
-    for (int i = 0; i < 3; ++i) speeds[i] += bias[i];
+    const Vec3 allowed = shortened(bias, joint.mostTurning);
+    for (int i = 0; i < 3; ++i) speeds[i] += allowed[i];
   }
   if (rows.count == 5 && rows.linearCount == 3) {  // a hinge: its axis turns with both
     const Vec3 bias = rows.axis.cross(turning(a.angularVelocity, rows.axis, dt) - turning(b.angularVelocity, rows.axis, dt));
-    speeds[3] += rows.equalities[3].angularA.dot(bias);
-    speeds[4] += rows.equalities[4].angularA.dot(bias);
+    const Vec3 allowed = shortened(bias, joint.mostAxisTurning);
+    speeds[3] += rows.equalities[3].angularA.dot(allowed);
+    speeds[4] += rows.equalities[4].angularA.dot(allowed);
   }
 }
 
@@ -50,7 +61,8 @@ float ropeTurning(const PreparedJoint& joint, const SolverBody& a, const SolverB
   const float distance = maxOf(rows.coordinate, 1e-6f);
   const float turned = across.squaredNorm() * dt * dt / (distance * distance);
   const float passing = 0.5f * turned * distance / (dt * (1.0f + 0.25f * turned));
-  return direction.dot(turning(a.angularVelocity, rows.armA, dt) - turning(b.angularVelocity, rows.armB, dt)) + passing;
+  const float bias = direction.dot(turning(a.angularVelocity, rows.armA, dt) - turning(b.angularVelocity, rows.armB, dt)) + passing;
+  return clampTo(bias, -joint.mostTurning, joint.mostTurning);
 }
 
 /// Impulses on both bodies, summed over the equality rows.
@@ -68,19 +80,35 @@ void loadEqualities(const Joint& joint, PreparedJoint& prepared) {
   }
 }
 
-/// Where the two bodies of a joint are; false if it holds nothing: a shape is gone, or both belong to one body.
-bool findBodies(const State& state, const Joint& joint, const Body*& a, const Body*& b, PreparedJoint& prepared) {
+/// Between which bodies a joint acts; false if it holds nothing: a shape is gone, or both belong to one body.
+bool findBodies(const State& state, const Joint& joint, ActiveJoint& active) {
   const Shape* shapeA = state.shapes.find(joint.a);
   const Shape* shapeB = state.shapes.find(joint.b);
   if (!shapeA || (joint.b && !shapeB) || (shapeB && shapeA->body == shapeB->body)) return false;
-  a = &state.bodies[shapeA->body];
-  b = shapeB ? &state.bodies[shapeB->body] : nullptr;
-  prepared.bodyA = shapeA->body.index;
-  prepared.bodyB = shapeB ? shapeB->body.index : kWorldBody;
+  active.bodyA = shapeA->body.index;
+  active.bodyB = shapeB ? shapeB->body.index : kWorldBody;
   return true;
 }
 
-bool movesBySolver(const Body* body) { return body && body->isDynamic() && body->awake; }
+bool isFree(const State& state, std::uint32_t slot) {
+  return slot != kWorldBody && state.bodies.at(slot).isDynamic() && state.bodies.at(slot).awake;
+}
+
+/// Rows `first` to `last`: the length of their speeds.
+float speedOf(const JointRows& rows, std::uint32_t first, std::uint32_t last, const SolverBody& a, const SolverBody& b) {
+  float sum = 0.0f;
+  for (std::uint32_t i = first; i < last; ++i) {
+    const float speed = rows.equalities[i].speed(a, b);
+    sum += speed * speed;
+  }
+  return std::sqrt(sum);
+}
+
+void boundTurning(PreparedJoint& joint, const SolverBody& a, const SolverBody& b) {
+  const JointRows& rows = joint.rows;
+  joint.mostTurning = joint.isRope ? maxOf(rows.coordinateRow.speed(a, b), 0.0f) : speedOf(rows, 0, rows.linearCount, a, b);
+  joint.mostAxisTurning = speedOf(rows, rows.linearCount, rows.count, a, b);
+}
 
 void prepareLimits(const Joint& joint, float dt, PreparedJoint& prepared) {
   const float x = prepared.rows.coordinate;
@@ -103,6 +131,7 @@ void prepareLimits(const Joint& joint, float dt, PreparedJoint& prepared) {
 
 void prepareBounded(const Joint& joint, float dt, bool warm, const SolverBody& a, const SolverBody& b, PreparedJoint& prepared) {
   prepareLimits(joint, dt, prepared);
+  prepared.block.factor(prepared.rows.equalities, prepared.rows.count, a, b);
   for (std::uint32_t kind = 0; kind < kBoundedCount; ++kind) {
     if (!prepared.active[kind]) continue;
     BoundedRow& row = prepared.bounded[kind];
@@ -112,7 +141,7 @@ void prepareBounded(const Joint& joint, float dt, bool warm, const SolverBody& a
   }
 }
 
-void solveBounded(PreparedJoint& joint, BoundedRow& row, float speedBias, SolverBody& a, SolverBody& b) {
+void solveRow(PreparedJoint& joint, BoundedRow& row, float speedBias, SolverBody& a, SolverBody& b) {
   const float wanted = row.impulse + (row.target - row.row.speed(a, b) - speedBias) * row.mass;
   const float impulse = clampTo(wanted, row.low, row.high) - row.impulse;
   if (impulse == 0.0f) return;
@@ -121,22 +150,10 @@ void solveBounded(PreparedJoint& joint, BoundedRow& row, float speedBias, Solver
   for (std::uint32_t i = 0; i < joint.rows.count; ++i) joint.impulse[i] += row.answer[i] * impulse;
 }
 
-void solveJoint(PreparedJoint& joint, float dt, SolverBody& a, SolverBody& b) {
-  const JointRows& rows = joint.rows;
-  if (rows.count > 0) {
-    float impulse[kMaxEqualities];
-    for (std::uint32_t i = 0; i < rows.count; ++i) impulse[i] = rows.equalities[i].speed(a, b);
-    addTurning(joint, a, b, dt, impulse);
-    joint.block.solve(impulse);
-    for (std::uint32_t i = 0; i < rows.count; ++i) {
-      impulse[i] = -impulse[i];
-      joint.impulse[i] += impulse[i];
-    }
-    applyEqualities(rows, impulse, a, b);
-  }
+void solveBounded(PreparedJoint& joint, SolverBody& a, SolverBody& b, float dt) {
   const float speedBias = joint.isRope ? ropeTurning(joint, a, b, dt) : 0.0f;
   for (std::uint32_t kind = 0; kind < kBoundedCount; ++kind)
-    if (joint.active[kind]) solveBounded(joint, joint.bounded[kind], speedBias, a, b);
+    if (joint.active[kind]) solveRow(joint, joint.bounded[kind], speedBias, a, b);
 }
 
 void forget(Joint& joint) {
@@ -148,27 +165,43 @@ void forget(Joint& joint) {
 
 }  // namespace
 
-void JointSolver::prepare(const State& state, float dt, bool isFirstRound) {
-  joints_.clear();
-  dt_ = dt;
-  backwards_ = false;
-  const bool warm = state.accuracy.warmStart || !isFirstRound;
-  SolverBody world;
+void JointSolver::findActive(const State& state) {
+  active_.clear();
   state.joints.forEach([&](JointHandle handle, const Joint& joint) {
-    PreparedJoint prepared;
-    const Body* a = nullptr;
-    const Body* b = nullptr;
-    if (!findBodies(state, joint, a, b, prepared) || (!movesBySolver(a) && !movesBySolver(b))) return;
-    prepared.joint = handle.index;
-    prepared.isRope = joint.type == JointType::Rope;
-    prepared.rows = measureJoint(joint, a->pose, a->center, b ? b->pose : Transform{}, b ? b->center : Vec3(Vec3::Zero()));
-    const SolverBody& solverA = state.solverBodies[prepared.bodyA];
-    const SolverBody& solverB = b ? state.solverBodies[prepared.bodyB] : world;
-    prepared.block.factor(prepared.rows.equalities, prepared.rows.count, solverA, solverB);
-    if (warm) loadEqualities(joint, prepared);
-    if (prepared.rows.hasCoordinate) prepareBounded(joint, dt, warm, solverA, solverB, prepared);
-    joints_.push_back(prepared);
+    ActiveJoint active;
+    if (!findBodies(state, joint, active)) return;
+    if (!isFree(state, active.bodyA) && !isFree(state, active.bodyB)) return;
+    active.joint = handle.index;
+    active_.push_back(active);
   });
+  if (roots_.size() < state.bodies.capacity()) roots_.resize(state.bodies.capacity());
+  groupJoints(active_, state.solverBodies.data(), roots_.data(), groups_);
+}
+
+void JointSolver::prepare(const State& state, float dt, bool isFirstRound) {
+  dt_ = dt;
+  const bool warm = state.accuracy.warmStart || !isFirstRound;
+  findActive(state);
+  joints_.clear();
+  SolverBody world;
+  for (const ActiveJoint& active : active_) {
+    const Joint& joint = state.joints.at(active.joint);
+    const SolverBody& a = state.solverBodies[active.bodyA];
+    const SolverBody& b = active.bodyB == kWorldBody ? world : state.solverBodies[active.bodyB];
+    joints_.emplace_back();
+    PreparedJoint& prepared = joints_.back();
+    prepared.joint = active.joint;
+    prepared.bodyA = active.bodyA;
+    prepared.bodyB = active.bodyB;
+    prepared.isRope = joint.type == JointType::Rope;
+    prepared.rows = measureJoint(state, joint, active.bodyA, active.bodyB);
+    boundTurning(prepared, a, b);
+    if (warm) loadEqualities(joint, prepared);
+    if (prepared.rows.hasCoordinate) prepareBounded(joint, dt, warm, a, b, prepared);
+  }
+  if (systems_.size() < groups_.size()) systems_.resize(groups_.size());
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+    systems_[i].factor(joints_.data() + groups_[i].first, groups_[i].count, state.solverBodies.data());
   prepareDrives(state, dt, isFirstRound);
 }
 
@@ -184,24 +217,43 @@ void JointSolver::warmStart(SolverBody* bodies) const {
   }
 }
 
+void JointSolver::solveGroup(std::size_t index, SolverBody* bodies) {
+  SolverBody world;
+  const JointGroup& group = groups_[index];
+  PreparedJoint* const first = joints_.data() + group.first;
+  residual_.clear();
+  for (PreparedJoint* joint = first; joint != first + group.count; ++joint) {
+    const SolverBody& a = bodyAt(bodies, joint->bodyA, world);
+    const SolverBody& b = bodyAt(bodies, joint->bodyB, world);
+    float speeds[kMaxEqualities];
+    for (std::uint32_t i = 0; i < joint->rows.count; ++i) speeds[i] = joint->rows.equalities[i].speed(a, b);
+    addTurning(*joint, a, b, dt_, speeds);
+    for (std::uint32_t i = 0; i < joint->rows.count; ++i) residual_.push_back(-speeds[i]);
+  }
+  systems_[index].solve(residual_.data());
+  const double* next = residual_.data();
+  for (PreparedJoint* joint = first; joint != first + group.count; ++joint) {
+    float impulse[kMaxEqualities];
+    for (std::uint32_t i = 0; i < joint->rows.count; ++i) {
+      impulse[i] = static_cast<float>(*next++);
+      joint->impulse[i] += impulse[i];
+    }
+    applyEqualities(joint->rows, impulse, bodyAt(bodies, joint->bodyA, world), bodyAt(bodies, joint->bodyB, world));
+  }
+}
+
 void JointSolver::solve(SolverBody* bodies) {
   SolverBody world;
-  // Chains: forwards and backwards in turn, so that a pull reaches both ends equally fast.
-  const std::size_t count = joints_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    PreparedJoint& joint = joints_[backwards_ ? count - 1 - i : i];
-    solveJoint(joint, dt_, bodyAt(bodies, joint.bodyA, world), bodyAt(bodies, joint.bodyB, world));
-  }
-  backwards_ = !backwards_;
+  for (std::size_t i = 0; i < groups_.size(); ++i) solveGroup(i, bodies);
+  for (PreparedJoint& joint : joints_)
+    solveBounded(joint, bodyAt(bodies, joint.bodyA, world), bodyAt(bodies, joint.bodyB, world), dt_);
   for (PreparedDrive& drive : drives_) solveDrive(drive, bodies[drive.body.index]);
 }
 
 void JointSolver::store(State& state) const {
   state.joints.forEach([&](JointHandle, Joint& joint) {
-    PreparedJoint unused;
-    const Body* a = nullptr;
-    const Body* b = nullptr;
-    if (!findBodies(state, joint, a, b, unused)) forget(joint);
+    ActiveJoint unused;
+    if (!findBodies(state, joint, unused)) forget(joint);
   });
   for (const PreparedJoint& prepared : joints_) {
     if (!state.joints.isAlive(prepared.joint)) continue;

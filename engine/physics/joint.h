@@ -10,6 +10,7 @@
 #include "engine/math/transform.h"
 #include "engine/physics/ids.h"
 #include "engine/physics/joint_rows.h"
+#include "engine/physics/joint_system.h"
 
 namespace brittle::physics {
 
@@ -132,14 +133,24 @@ class JointSolver {
   bool isEmpty() const { return joints_.empty() && drives_.empty(); }
 
  private:
+  void findActive(const State& state);
   void prepareDrives(const State& state, float dt, bool isFirstRound);
+  void solveGroup(std::size_t index, SolverBody* bodies);
+  void correctGroup(State& state, const JointGroup& group);
 
-  std::vector<PreparedJoint> joints_;    // by joint slot
+  std::vector<ActiveJoint> active_;      // by group, then slot
+  std::vector<JointGroup> groups_;
+  std::vector<std::uint32_t> roots_;
+  std::vector<PreparedJoint> joints_;    // as active_
+  std::vector<JointSystem> systems_;     // as groups_
+  std::vector<double> residual_;
+  std::vector<PreparedJoint> moved_;     // one group, at the poses of a position pass
+  std::vector<SolverBody> moves_;        // by body slot; velocities are displacements
+  JointSystem moving_;
   std::vector<PreparedDrive> drives_;    // by body slot, then drive slot
   std::vector<PreparedDrive> spent_;     // of the round before
   std::vector<AssemblyDrive> assemblies_;  // sorted
   float dt_ = 0.0f;
-  bool backwards_ = false;
 };
 
 /// After `source` was replaced by pieces (still in the local frame of its body): joints whose anchor lay in `source` move to the

@@ -9,21 +9,22 @@ namespace {
 constexpr float kMostLinear = 0.2f;   // [m]
 constexpr float kMostAngular = 0.5f;  // [rad]
 
-/// Mass and centre as the rows need them, with the inertia of the pose as it is now. Its velocity collects the displacement.
-SolverBody massOf(const Body* body) {
+/// Mass with the inertia of the pose as it is now. Its velocity collects the displacement.
+SolverBody massOf(const Body& body) {
   SolverBody mass;
-  if (!body || !body->isDynamic() || !body->awake) return mass;
-  const Mat3 rotation = body->pose.rotation.toRotationMatrix();
-  mass.invMass = body->invMass;
-  mass.invInertia = rotation * body->localInvInertia * rotation.transpose();
+  if (!body.isDynamic() || !body.awake) return mass;
+  const Mat3 rotation = body.pose.rotation.toRotationMatrix();
+  mass.invMass = body.invMass;
+  mass.invInertia = rotation * body.localInvInertia * rotation.transpose();
   return mass;
 }
 
-void displace(Body* body, const SolverBody& by) {
-  if (!body || by.invMass == 0.0f) return;
-  body->center += by.velocity;
-  body->pose.rotation = integrateRotation(body->pose.rotation, by.angularVelocity, 1.0f);
-  body->placeByCenter();
+void displace(Body& body, SolverBody& by) {
+  if (by.invMass == 0.0f) return;
+  body.center += by.velocity;
+  body.pose.rotation = integrateRotation(body.pose.rotation, by.angularVelocity, 1.0f);
+  body.placeByCenter();
+  by = SolverBody{};  // a body of several joints moves once
 }
 
 /// How far the coordinate is beyond its limits, with sign. [m or rad]
@@ -33,43 +34,60 @@ float overrun(const Joint& joint, float coordinate) {
   return coordinate - clampTo(coordinate, joint.lower, joint.upper);
 }
 
-/// One Newton step on the equalities, then on the limit without disturbing them.
-void correct(const Joint& joint, Body* a, Body* b) {
-  const JointRows rows =
-      measureJoint(joint, a->pose, a->center, b ? b->pose : Transform{}, b ? b->center : Vec3(Vec3::Zero()));
-  SolverBody massA = massOf(a);
-  SolverBody massB = massOf(b);
-  EqualityBlock block;
-  block.factor(rows.equalities, rows.count, massA, massB);
-  float push[kMaxEqualities];
-  for (std::uint32_t i = 0; i < rows.count; ++i) {
-    const float most = i < rows.linearCount ? kMostLinear : kMostAngular;
-    push[i] = -clampTo(rows.error[i], -most, most);
-  }
-  block.solve(push);
-  for (std::uint32_t i = 0; i < rows.count; ++i) rows.equalities[i].apply(massA, massB, push[i]);
-  const float beyond = rows.hasCoordinate ? overrun(joint, rows.coordinate) : 0.0f;
-  if (beyond != 0.0f) {
-    const float most = joint.type == JointType::Hinge ? kMostAngular : kMostLinear;
-    BoundedRow limit;
-    limit.prepare(rows.coordinateRow, rows, block, massA, massB);
-    limit.response.apply(massA, massB, -clampTo(beyond, -most, most) * limit.mass);
-  }
-  displace(a, massA);
-  displace(b, massB);
+void correctLimit(const Joint& joint, PreparedJoint& prepared, SolverBody& a, SolverBody& b) {
+  const JointRows& rows = prepared.rows;
+  if (!rows.hasCoordinate) return;
+  const float beyond = overrun(joint, rows.coordinate + rows.coordinateRow.speed(a, b));
+  if (beyond == 0.0f) return;
+  const float most = joint.type == JointType::Hinge ? kMostAngular : kMostLinear;
+  BoundedRow limit;
+  prepared.block.factor(rows.equalities, rows.count, a, b);
+  limit.prepare(rows.coordinateRow, rows, prepared.block, a, b);
+  limit.response.apply(a, b, -clampTo(beyond, -most, most) * limit.mass);
 }
 
 }  // namespace
 
-void JointSolver::correctPositions(State& state) {
-  for (const PreparedJoint& prepared : joints_) {
-    if (!state.joints.isAlive(prepared.joint)) continue;
-    const Joint& joint = state.joints.at(prepared.joint);
-    const Shape* shapeA = state.shapes.find(joint.a);
-    const Shape* shapeB = state.shapes.find(joint.b);
-    if (!shapeA || (joint.b && !shapeB) || (shapeB && shapeA->body == shapeB->body)) continue;
-    correct(joint, &state.bodies[shapeA->body], shapeB ? &state.bodies[shapeB->body] : nullptr);
+/// One Newton step on all equalities of a group, then on the limits.
+void JointSolver::correctGroup(State& state, const JointGroup& group) {
+  moved_.clear();
+  residual_.clear();
+  const ActiveJoint* const first = active_.data() + group.first;
+  for (const ActiveJoint* active = first; active != first + group.count; ++active) {
+    moved_.emplace_back();
+    PreparedJoint& joint = moved_.back();
+    joint.bodyA = active->bodyA;
+    joint.bodyB = active->bodyB;
+    joint.rows = measureJoint(state, state.joints.at(active->joint), active->bodyA, active->bodyB);
+    moves_[active->bodyA] = massOf(state.bodies.at(active->bodyA));
+    if (active->bodyB != kWorldBody) moves_[active->bodyB] = massOf(state.bodies.at(active->bodyB));
+    for (std::uint32_t i = 0; i < joint.rows.count; ++i) {
+      const float most = i < joint.rows.linearCount ? kMostLinear : kMostAngular;
+      residual_.push_back(-clampTo(joint.rows.error[i], -most, most));
+    }
   }
+  moving_.factor(moved_.data(), group.count, moves_.data());
+  moving_.solve(residual_.data());
+  SolverBody world;
+  const double* push = residual_.data();
+  for (const PreparedJoint& joint : moved_) {
+    SolverBody& b = joint.bodyB == kWorldBody ? world : moves_[joint.bodyB];
+    for (std::uint32_t i = 0; i < joint.rows.count; ++i)
+      joint.rows.equalities[i].apply(moves_[joint.bodyA], b, static_cast<float>(*push++));
+  }
+  for (std::uint32_t i = 0; i < group.count; ++i) {
+    PreparedJoint& joint = moved_[i];
+    correctLimit(state.joints.at(first[i].joint), joint, moves_[joint.bodyA], joint.bodyB == kWorldBody ? world : moves_[joint.bodyB]);
+  }
+  for (const PreparedJoint& joint : moved_) {
+    displace(state.bodies.at(joint.bodyA), moves_[joint.bodyA]);
+    if (joint.bodyB != kWorldBody) displace(state.bodies.at(joint.bodyB), moves_[joint.bodyB]);
+  }
+}
+
+void JointSolver::correctPositions(State& state) {
+  if (moves_.size() < state.bodies.capacity()) moves_.resize(state.bodies.capacity());
+  for (const JointGroup& group : groups_) correctGroup(state, group);
 }
 
 }  // namespace brittle::physics

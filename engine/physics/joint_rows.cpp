@@ -1,7 +1,7 @@
 // The factorisation, and the rows of each type of joint.
 #include "engine/physics/joint_rows.h"
 
-#include "engine/physics/joint.h"
+#include "engine/physics/state.h"
 
 namespace brittle::physics {
 
@@ -120,11 +120,14 @@ void BoundedRow::prepare(const JointRow& from, const JointRows& rows, const Equa
   mass = left > kDependent * own ? 1.0f / left : 0.0f;
 }
 
-JointRows measureJoint(const Joint& joint, const Transform& poseA, const Vec3& centerA, const Transform& poseB, const Vec3& centerB) {
+JointRows measureJoint(const State& state, const Joint& joint, std::uint32_t bodyA, std::uint32_t bodyB) {
   JointRows rows;
+  const Transform& poseA = state.bodies.at(bodyA).pose;
+  const Transform poseB = bodyB == kWorldBody ? Transform{} : state.bodies.at(bodyB).pose;
+  const Vec3 centerB = bodyB == kWorldBody ? Vec3(Vec3::Zero()) : state.bodies.at(bodyB).center;
   const Vec3 anchorA = poseA.toWorld(joint.localAnchorA);
   const Vec3 anchorB = poseB.toWorld(joint.localAnchorB);
-  rows.armA = anchorA - centerA;
+  rows.armA = anchorA - state.bodies.at(bodyA).center;
   rows.armB = anchorB - centerB;
   const Vec3 between = anchorA - anchorB;
   switch (joint.type) {

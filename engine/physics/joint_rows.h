@@ -11,6 +11,7 @@
 namespace brittle::physics {
 
 struct Joint;
+struct State;
 
 inline constexpr std::uint32_t kMaxEqualities = 6;
 inline constexpr std::uint32_t kWorldBody = 0xffffffff;  // the body slot of the world
@@ -68,8 +69,8 @@ struct JointRows {
   Vec3 axis = Vec3::Zero();                       // hinge only, world
 };
 
-/// `a` and `b` give the centres; poses are of the body frames (the identity for the world).
-JointRows measureJoint(const Joint& joint, const Transform& poseA, const Vec3& centerA, const Transform& poseB, const Vec3& centerB);
+/// The joint at the poses its bodies have now; slots as in ActiveJoint.
+JointRows measureJoint(const State& state, const Joint& joint, std::uint32_t bodyA, std::uint32_t bodyB);
 
 /// A row with bounds on its impulse: motor, limit or rope. `response` is `row` less what the joint's equalities answer to it, so
 /// that an impulse along it leaves them as they are.
@@ -95,6 +96,8 @@ struct PreparedJoint {
   BoundedRow bounded[kBoundedCount];
   bool active[kBoundedCount] = {};
   bool isRope = false;
+  float mostTurning = 0.0f;           // bounds of the biases, see joint.cpp [m/s]
+  float mostAxisTurning = 0.0f;       // [rad/s]
 };
 
 /// A drive on one body, in velocities: the mass cancels.
