@@ -17,13 +17,14 @@ constexpr float kRigid = 100.0f;
 constexpr float kNear = 1e-3f;       // [m]
 constexpr float kNearAngle = 5e-3f;  // [rad]
 
-/// The speed from which a body can stop after `distance` when it loses at most `acceleration` * dt per tick:
-/// v^2 + v a dt = 2 a d, since the sum of such falling steps is the distance; the last step may just arrive.
+/// The speed from which a body can stop after `distance` when it loses a dt per tick: v^2 + v a dt = 2 a d, since the sum of such
+/// falling steps is the distance. The last step just arrives and may take 9/8 of a dt (v = 3/2 a dt), so a is 8/9 of what there is.
 float stoppingSpeed(float distance, float acceleration, float fastest, float dt) {
   float speed = minOf(distance / dt, fastest);
   if (acceleration >= 0.0f) {
-    const float half = 0.5f * acceleration * dt;
-    speed = minOf(speed, std::sqrt(half * half + 2.0f * acceleration * distance) - half);
+    const float a = acceleration * (8.0f / 9.0f);
+    const float half = 0.5f * a * dt;
+    speed = minOf(speed, std::sqrt(half * half + 2.0f * a * distance) - half);
   }
   return speed;
 }
