@@ -13,8 +13,11 @@ std::uint32_t packRgba(const Rgb& color, float alpha) {
 }
 
 void Frame::clear() {
-  bodies.clear();
-  meshes.clear();
+  for (MeshGroup& group : groups) {
+    group.pool = nullptr;
+    group.bodies.clear();
+    group.meshes.clear();
+  }
   statics.clear();
   spheres.clear();
   crumbs.clear();

@@ -2,6 +2,7 @@
 // (a copy, so that the simulation may go on); the renderer reads it and never asks back. No physics, no game rules, no GL here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ using Rgb = Vec3;
 std::uint32_t packRgba(const Rgb& color, float alpha = 1.0f);
 inline constexpr std::uint32_t kWhite = 0xffffffff;
 
-/// Looks along its local -Z, X right, Y up.
+/// Where it is seen from. Looks along its local -Z, X right, Y up.
 struct Camera {
   Vec3 position = Vec3::Zero();       // [m]
   Quat rotation = Quat::Identity();   // unit
@@ -45,13 +46,24 @@ struct Light {
 /// Indices of the built-in draw materials (MeshInfo::material). The table may be replaced, see Renderer::setMaterials.
 enum BuiltInMaterial : std::uint16_t { kGlass, kMetal, kMatte, kCrystal, kBall, kBuiltInMaterials };
 
-/// A convex of the mesh pool that is to be seen.
+/// A convex of a mesh pool that is to be seen.
 struct VisibleMesh {
   geometry::MeshSlot slot = 0;
-  std::uint32_t body = 0;           // index into Frame::bodies
+  std::uint32_t body = 0;           // index into MeshGroup::bodies
   std::uint16_t material = kGlass;  // index into the material table
   std::uint32_t tint = kWhite;      // multiplies the vertex colours
 };
+
+/// The convexes of one mesh pool. The pool is read, and its dirty ranges are cleared, while the frame is drawn.
+struct MeshGroup {
+  geometry::MeshPool* pool = nullptr;  // null: the group is empty
+  std::uint64_t poolId = 0;            // another id means another pool: everything is uploaded
+  std::vector<Transform> bodies;       // by body slot
+  std::vector<VisibleMesh> meshes;     // any order; the renderer sorts. Slots that are not alive are skipped
+};
+
+/// Pools alive at once: the room the camera is in and the next one.
+inline constexpr std::size_t kMaxGroups = 2;
 
 /// A sphere drawn from one built-in mesh; its surface pattern shows its rotation.
 struct Sphere {
@@ -135,8 +147,7 @@ struct Frame {
   Fog fog;
   Light light;
 
-  std::vector<Transform> bodies;        // by body slot
-  std::vector<VisibleMesh> meshes;      // any order; the renderer sorts
+  std::array<MeshGroup, kMaxGroups> groups;  // the nearer room first: glass of a later group is drawn before it
   std::vector<VisibleStatic> statics;
   std::vector<Sphere> spheres;
   std::vector<Crumb> crumbs;

@@ -54,8 +54,8 @@ class Renderer {
   StaticId createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices);
   void destroyStatic(StaticId id);
 
-  /// Draws one picture. Uploads the pool's dirty ranges first and clears them; slots in `frame` that are not alive are skipped.
-  void draw(const Frame& frame, geometry::MeshPool& pool);
+  /// Draws one picture. Uploads the dirty ranges of the frame's pools first and clears them.
+  void draw(const Frame& frame);
   /// The picture drawn last.
   Image readBack();
   const FrameCounters& counters() const;

@@ -1,0 +1,103 @@
+#include "engine/render/glsl.h"
+
+namespace brittle::render::glsl {
+
+// FrameBlock mirrors FrameUniforms, MaterialBlock mirrors MaterialUniforms (uniforms.h).
+const char* const kHeader = R"(#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
+
+layout(std140) uniform FrameBlock {
+  mat4 viewProjection;
+  vec4 right;      // w: tangent of half the horizontal field of view
+  vec4 up;         // w: the same, vertical
+  vec4 forward;    // w: near plane
+  vec4 eye;        // w: far plane
+  vec4 fogBottom;  // sRGB-encoded; w: start of the fog
+  vec4 fogTop;     // sRGB-encoded; w: 1 / (end - start)
+  vec4 toLight;    // unit; w: ambient share
+  vec4 lightColor; // linear; w: opacity of the shadows of spheres
+  vec4 picture;    // width, height, 1 / width, 1 / height
+} frame;
+
+layout(std140) uniform MaterialBlock {
+  vec4 surface[32];  // linear colour, metalness
+  vec4 finish[32];   // gloss, clarity, edge
+} materials;
+
+// The polynomial stays within 0.002 of the exact curve on [0, 1].
+vec3 decode(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
+vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+)";
+
+const char* const kVertexCommon = R"(
+uniform sampler2D bodyTexture;    // two texels a body: position, quaternion
+uniform usampler2D shapeTexture;  // a texel a mesh slot: body, material, tint
+
+struct Pose { vec3 position; vec4 rotation; };
+Pose fetchBody(uint body) {
+  int texel = int(body) * 2;
+  ivec2 at = ivec2(texel & 1023, texel >> 10);
+  return Pose(texelFetch(bodyTexture, at, 0).xyz, texelFetch(bodyTexture, at + ivec2(1, 0), 0));
+}
+uvec4 fetchShape(uint slot) { return texelFetch(shapeTexture, ivec2(int(slot) & 1023, int(slot) >> 10), 0); }
+vec4 unpackColor(uint c) { return vec4(c & 255u, (c >> 8) & 255u, (c >> 16) & 255u, c >> 24) / 255.0; }
+)";
+
+const char* const kFragmentCommon = R"(
+vec3 fogColor() {
+  vec3 c = mix(frame.fogBottom.rgb, frame.fogTop.rgb, gl_FragCoord.y * frame.picture.w);
+  return decode(clamp(c, 0.0, 1.0));
+}
+float depthOf(vec3 point) { return dot(point - frame.eye.xyz, frame.forward.xyz); }
+float fogAt(float depth) { return clamp((depth - frame.fogBottom.w) * frame.fogTop.w, 0.0, 1.0); }
+vec3 withFog(vec3 color, vec3 point) { return mix(color, fogColor(), fogAt(depthOf(point))); }
+
+// What a mirror shows in direction r: a gradient of the fog's colours, a row of soft boxes overhead, a bright horizon, a dim floor.
+vec3 environment(vec3 r) {
+  vec3 low = decode(clamp(frame.fogBottom.rgb, 0.0, 1.0));
+  vec3 high = decode(clamp(frame.fogTop.rgb, 0.0, 1.0));
+  vec3 c = mix(low * 0.35, high * 0.85, smoothstep(-0.25, 0.55, r.y));
+  vec2 p = r.xz / (max(r.y, 0.0) + 0.12);
+  float lane = smoothstep(1.1, 0.7, abs(p.x));
+  float box = smoothstep(0.10, 0.22, abs(fract(p.y * 0.33 + 0.5) - 0.5)) * smoothstep(9.0, 2.0, abs(p.y));
+  c += frame.lightColor.rgb * (1.6 * lane * box * smoothstep(0.12, 0.3, r.y));
+  c += high * (0.35 * smoothstep(0.16, 0.0, abs(r.y - 0.04)));
+  return c;
+}
+
+float schlick(float cosine, float base) {
+  float m = 1.0 - clamp(cosine, 0.0, 1.0);
+  float m2 = m * m;
+  return base + (1.0 - base) * m2 * m2 * m;
+}
+
+// Towards the eye, unit.
+vec3 toEye(vec3 point) { return normalize(frame.eye.xyz - point); }
+
+// The interpolated normal where the mesh has one (w > 0), else the face's from derivatives; turned to the eye.
+vec3 surfaceNormal(vec4 normal, vec3 point) {
+  vec3 relative = point - frame.eye.xyz;
+  vec3 n = normal.w > 0.5 ? normalize(normal.xyz) : normalize(cross(dFdx(relative), dFdy(relative)));
+  return dot(n, relative) > 0.0 ? -n : n;
+}
+
+// Light reflected to the eye by an opaque surface; `open` in [0, 1] is how much of the surroundings it sees.
+vec3 shade(vec3 albedo, vec3 n, vec3 v, float metalness, float gloss, float open) {
+  vec3 r = reflect(-v, n);
+  float facing = max(dot(n, v), 0.0);
+  float lambert = max(dot(n, frame.toLight.xyz), 0.0);
+  float sky = 0.75 + 0.25 * n.y;
+  vec3 diffuse = albedo * (frame.toLight.w * sky + (1.0 - frame.toLight.w) * lambert * frame.lightColor.rgb);
+  float fresnel = schlick(facing, 0.04) * (0.2 + 0.8 * gloss);
+  vec3 mirror = environment(normalize(mix(n, r, 0.4 + 0.6 * gloss)));
+  vec3 highlight = frame.lightColor.rgb * (pow(max(dot(r, frame.toLight.xyz), 0.0), mix(8.0, 300.0, gloss * gloss)) * (0.15 + 1.6 * gloss));
+  vec3 plastic = diffuse + (mirror + highlight) * fresnel;
+  vec3 metal = mix(albedo, vec3(1.0), schlick(facing, 0.0)) * (mirror + highlight * 0.7) + albedo * 0.04;
+  return mix(plastic, metal, metalness) * open;
+}
+)";
+
+}  // namespace brittle::render::glsl

@@ -1,0 +1,257 @@
+#include "engine/render/glsl.h"
+
+namespace brittle::render::glsl {
+
+// One triangle that covers the picture.
+static constexpr const char* kScreenVertex = R"(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 1.0, 1.0);
+}
+)";
+
+const ProgramSource kBackground = {"background", kScreenVertex, R"(
+out vec4 result;
+void main() { result = vec4(fogColor(), 1.0); }
+)"};
+
+// A box below each caster; the depth picture says which point of the scene a pixel shows, and its distance from the axis below the
+// caster says how dark it gets.
+const ProgramSource kShadow = {"shadow", R"(
+layout(location = 1) in vec4 place;  // centre, radius
+layout(location = 2) in float opacity;
+flat out vec4 vPlace;
+flat out float vOpacity;
+const int order[14] = int[14](3, 2, 6, 7, 4, 2, 0, 3, 1, 6, 5, 4, 1, 0);
+void main() {
+  int corner = order[gl_VertexID];
+  vec3 unit = vec3((corner & 1) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 0.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0);
+  vPlace = place;
+  vOpacity = opacity;
+  gl_Position = frame.viewProjection * vec4(place.xyz + unit * place.w * vec3(2.2, 5.0, 2.2), 1.0);
+}
+)", R"(
+uniform sampler2D depthTexture;
+flat in vec4 vPlace;
+flat in float vOpacity;
+out vec4 result;
+void main() {
+  float n = frame.forward.w, f = frame.eye.w;
+  float stored = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
+  float depth = 2.0 * n * f / (f + n - (2.0 * stored - 1.0) * (f - n));
+  vec2 ndc = gl_FragCoord.xy * frame.picture.zw * 2.0 - 1.0;
+  vec3 ray = frame.forward.xyz + frame.right.xyz * (ndc.x * frame.right.w) + frame.up.xyz * (ndc.y * frame.up.w);
+  vec3 d = (frame.eye.xyz + ray * depth - vPlace.xyz) / vPlace.w;
+  float below = -d.y;
+  float spread = 1.0 + 0.28 * max(below - 1.0, 0.0);
+  float core = smoothstep(1.35, 0.15, length(d.xz) / spread) / (spread * spread);
+  float reach = smoothstep(0.0, 0.4, below) * smoothstep(5.0, 3.0, below);
+  float outside = smoothstep(1.0, 1.06, length(d));  // a caster does not darken itself
+  result = vec4(0.0, 0.0, 0.0, vOpacity * core * reach * outside * (1.0 - fogAt(depth)));
+}
+)"};
+
+// Segments widened to about a pixel. An end behind the near plane is moved onto it; lines thinner than a pixel fade instead.
+const ProgramSource kEdge = {"edge", R"(
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in uint slot;
+layout(location = 3) in float strength;
+out float vAcross;
+out vec3 vPoint;
+flat out vec4 vColor;
+flat out float vWidth;
+void main() {
+  uvec4 shape = fetchShape(slot);
+  Pose pose = fetchBody(shape.x);
+  vec3 a = rotate(pose.rotation, from) + pose.position;
+  vec3 b = rotate(pose.rotation, to) + pose.position;
+  float da = dot(a - frame.eye.xyz, frame.forward.xyz) - frame.forward.w;
+  float db = dot(b - frame.eye.xyz, frame.forward.xyz) - frame.forward.w;
+  vColor = vec4(mix(vec3(1.0), materials.surface[int(shape.y)].rgb * decode(unpackColor(shape.z).rgb), 0.35), strength);
+  vWidth = 0.0;
+  vAcross = 0.0;
+  vPoint = a;
+  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  if (da <= 0.0 && db <= 0.0) return;
+  if (da < 0.0) a = mix(a, b, da / (da - db));
+  if (db < 0.0) b = mix(b, a, db / (db - da));
+  vec4 ca = frame.viewProjection * vec4(a, 1.0);
+  vec4 cb = frame.viewProjection * vec4(b, 1.0);
+  vec2 along = (cb.xy / cb.w - ca.xy / ca.w) * frame.picture.xy;
+  float len = length(along);
+  along = len > 1e-4 ? along / len : vec2(1.0, 0.0);
+  bool atEnd = gl_VertexID >= 2;
+  float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  vec4 c = atEnd ? cb : ca;
+  float pixels = 0.007 * frame.picture.y / (2.0 * frame.up.w * c.w);  // of a line 7 mm wide
+  vWidth = clamp(pixels, 1.0, 6.0) * 0.5;
+  vColor.a *= clamp(pixels, 0.25, 1.0);
+  vAcross = side * (vWidth + 1.0);
+  vPoint = atEnd ? b : a;
+  c.xy += vec2(-along.y, along.x) * (vAcross * 2.0 * c.w) * frame.picture.zw;
+  c.z -= 0.0004 * c.w;
+  gl_Position = c;
+}
+)", R"(
+in float vAcross;
+in vec3 vPoint;
+flat in vec4 vColor;
+flat in float vWidth;
+out vec4 result;
+void main() {
+  float cover = clamp(vWidth + 0.5 - abs(vAcross), 0.0, 1.0);
+  vec3 light = vColor.rgb * (0.35 + 0.65 * decode(clamp(frame.fogTop.rgb, 0.0, 1.0)));
+  result = vec4(light, 1.0) * (vColor.a * cover * (1.0 - fogAt(depthOf(vPoint))));
+}
+)"};
+
+const ProgramSource kGlow = {"glow", R"(
+layout(location = 1) in vec4 place;  // centre, radius
+layout(location = 2) in vec4 color;
+out vec2 vAt;
+out vec3 vPoint;
+flat out vec4 vColor;
+void main() {
+  vAt = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
+  vPoint = place.xyz + (frame.right.xyz * vAt.x + frame.up.xyz * vAt.y) * place.w;
+  vColor = vec4(decode(color.rgb), color.a);
+  gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
+}
+)", R"(
+in vec2 vAt;
+in vec3 vPoint;
+flat in vec4 vColor;
+out vec4 result;
+void main() {
+  float fall = max(1.0 - length(vAt), 0.0);
+  result = vec4(vColor.rgb * (vColor.a * fall * fall * (1.0 - fogAt(depthOf(vPoint)))), 0.0);
+}
+)"};
+
+const ProgramSource kBeam = {"beam", R"(
+layout(location = 0) in vec4 from;  // point, radius
+layout(location = 1) in vec3 to;
+layout(location = 2) in vec4 color;
+out float vAcross;
+out vec3 vPoint;
+flat out vec4 vColor;
+void main() {
+  vec3 base = gl_VertexID >= 2 ? to : from.xyz;
+  vec3 side = cross(to - from.xyz, base - frame.eye.xyz);
+  float len = length(side);
+  vAcross = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  vPoint = base + (len > 1e-6 ? side / len : frame.up.xyz) * (from.w * vAcross);
+  vColor = vec4(decode(color.rgb), color.a);
+  gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
+}
+)", R"(
+in float vAcross;
+in vec3 vPoint;
+flat in vec4 vColor;
+out vec4 result;
+void main() {
+  float a = 1.0 - abs(vAcross);
+  vec3 light = vColor.rgb * (a * a) + vec3(smoothstep(0.7, 0.95, a) * 0.8);
+  result = vec4(light * (vColor.a * (1.0 - fogAt(depthOf(vPoint)))), 0.0);
+}
+)"};
+
+// Linear scene to an encoded picture, with the tints over it and half a step of ordered noise against bands in the fog.
+const ProgramSource kComposite = {"composite", kScreenVertex, R"(
+uniform sampler2D colorTexture;
+uniform vec4 tint;
+uniform vec4 border;
+out vec4 result;
+void main() {
+  vec3 c = texelFetch(colorTexture, ivec2(gl_FragCoord.xy), 0).rgb;
+  c = mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  vec2 at = gl_FragCoord.xy * frame.picture.zw * 2.0 - 1.0;
+  vec2 far = at * at;
+  c *= 1.0 - 0.10 * smoothstep(0.5, 2.0, far.x + far.y);
+  c = mix(c, tint.rgb, tint.a);
+  float edge = smoothstep(0.35, 1.0, max(far.x * far.x, far.y * far.y));
+  c = mix(c, border.rgb, border.a * edge);
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  result = vec4(c + (noise - 0.5) / 255.0, 1.0);
+}
+)"};
+
+// kind 0: rectangle about ends.xy with half size ends.zw; 1: arc about ends.xy from ends.z to ends.w turns, form = outer, inner radius;
+// 2: glyph with its origin at ends.xy, ends.z pixels a unit, row ends.w of the stroke texture, form = stroke and shade radius.
+// All in pixels, y down.
+const ProgramSource kHud = {"hud", R"(
+layout(location = 0) in vec4 ends;
+layout(location = 1) in vec4 form;  // z: kind
+layout(location = 2) in vec4 color;
+out vec2 vAt;
+flat out vec4 vEnds;
+flat out vec3 vForm;
+flat out vec4 vColor;
+void main() {
+  vec2 low, high;
+  if (form.z > 1.5) {
+    vec2 reach = vec2(form.x + form.y + 1.0);
+    low = ends.xy - vec2(0.0, 12.0) * ends.z - reach;
+    high = ends.xy + vec2(8.0, 0.0) * ends.z + reach;
+  } else {
+    vec2 reach = (form.z < 0.5 ? ends.zw : vec2(form.x)) + 1.0;
+    low = ends.xy - reach;
+    high = ends.xy + reach;
+  }
+  vAt = vec2((gl_VertexID & 1) == 0 ? low.x : high.x, gl_VertexID < 2 ? low.y : high.y);
+  vEnds = ends;
+  vForm = form.xyz;
+  vColor = color;
+  vec2 ndc = vAt * frame.picture.zw * 2.0 - 1.0;
+  gl_Position = vec4(ndc.x, -ndc.y, 0.0, 1.0);
+}
+)", R"(
+uniform usampler2D strokeTexture;
+in vec2 vAt;
+flat in vec4 vEnds;
+flat in vec3 vForm;
+flat in vec4 vColor;
+out vec4 result;
+float rectangle(vec2 p) {
+  vec2 q = abs(p) - vEnds.zw;
+  return max(q.x, q.y);
+}
+float arc(vec2 p) {
+  float reach = length(p);
+  float ring = max(reach - vForm.x, vForm.y - reach);
+  float sweep = vEnds.w - vEnds.z;
+  if (sweep >= 1.0) return ring;
+  float turn = fract(atan(p.x, -p.y) / 6.2831853 - vEnds.z);
+  float over = min(abs(turn - sweep), 1.0 - turn);
+  return turn < sweep ? ring : max(ring, over * 6.2831853 * reach);
+}
+float glyph(vec2 p) {
+  vec2 q = vec2(p.x, -p.y) / vEnds.z;
+  float nearest = 1e9;
+  for (int i = 0; i < 16; ++i) {
+    uvec4 s = texelFetch(strokeTexture, ivec2(i, int(vEnds.w)), 0);
+    if (s.x == 255u) break;
+    vec2 a = vec2(s.xy), d = vec2(s.zw) - a;
+    float t = clamp(dot(q - a, d) / max(dot(d, d), 1e-6), 0.0, 1.0);
+    vec2 r = q - a - d * t;
+    nearest = min(nearest, dot(r, r));
+  }
+  return sqrt(nearest) * vEnds.z - vForm.x;
+}
+void main() {
+  vec2 p = vAt - vEnds.xy;
+  if (vForm.z > 1.5) {
+    float d = glyph(p);
+    float inside = clamp(0.5 - d, 0.0, 1.0);
+    float shade = 0.45 * clamp(1.0 - d / vForm.y, 0.0, 1.0);  // keeps light letters readable on light rooms
+    float cover = inside + (1.0 - inside) * shade;
+    result = vec4(vColor.rgb * (inside / max(cover, 1e-4)), vColor.a * cover);
+  } else {
+    float d = vForm.z < 0.5 ? rectangle(p) : arc(p);
+    result = vec4(vColor.rgb, vColor.a * clamp(0.5 - d, 0.0, 1.0));
+  }
+}
+)"};
+
+}  // namespace brittle::render::glsl

@@ -1,0 +1,96 @@
+#include "engine/render/instances.h"
+
+#include "engine/render/text.h"
+
+namespace brittle::render {
+
+namespace {
+
+constexpr float kRectangle = 0.0f, kArc = 1.0f, kGlyph = 2.0f;  // kinds of the hud shader
+// A letter's stroke and the soft shade about it, as parts of the cap height. Chosen by eye.
+constexpr float kStrokeWidth = 0.15f;
+constexpr float kShadeWidth = 0.16f;
+// How far below its caster a shadow can fall, in radii; the shadow shader's box.
+constexpr float kShadowReach = 5.0f;
+
+std::array<float, 4> placeOf(const Vec3& center, float radius) { return {center.x(), center.y(), center.z(), radius}; }
+
+Vec2 pixelsOf(const HudPoint& point, float width, float height) {
+  return {point.anchor.x() * width + point.offset.x() * height, point.anchor.y() * height + point.offset.y() * height};
+}
+
+void addText(const HudText& text, float width, float height, std::vector<HudInstance>& out) {
+  const float cap = text.height * height;
+  const float unit = cap / kGlyphHeight;
+  Vec2 at = pixelsOf(text.at, width, height);
+  const float wide = textWidth(text.text.size()) * cap;
+  if (text.align == HudAlign::Center) at.x() -= 0.5f * wide;
+  if (text.align == HudAlign::Right) at.x() -= wide;
+  at.y() += 0.5f * cap;
+  for (const char c : text.text) {
+    if (c != ' ') {
+      const float row = static_cast<float>(glyphRow(c));
+      out.push_back({{at.x(), at.y(), unit, row}, {0.5f * kStrokeWidth * cap, kShadeWidth * cap, kGlyph, 0.0f}, text.color});
+    }
+    at.x() += kGlyphAdvance * unit;
+  }
+}
+
+}  // namespace
+
+void Instances::packBodies(const Frame& frame, const View& view) {
+  const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
+  for (const Sphere& s : frame.spheres) {
+    if (!view.sees(s.position, s.radius, farthest)) continue;
+    const Quat& q = s.rotation;
+    spheres.push_back({placeOf(s.position, s.radius), {q.x(), q.y(), q.z(), q.w()}, s.color,
+                       minOf<std::uint32_t>(s.material, kMaxMaterials - 1)});
+  }
+  const float reach = 1.4f;  // the tetrahedron's corners, in radii
+  for (const Crumb& c : frame.crumbs) {
+    if (view.sees(c.position, c.radius * reach, farthest)) crumbs.push_back({placeOf(c.position, c.radius), c.color});
+  }
+  for (const Glow& g : frame.glows) {
+    if (view.sees(g.position, g.radius * reach, farthest)) glows.push_back({placeOf(g.position, g.radius), g.color});
+  }
+  for (const Beam& b : frame.beams) {
+    const std::array<float, 3> to = {b.to.x(), b.to.y(), b.to.z()};
+    beams.push_back({placeOf(b.from, b.radius), to, b.color});
+  }
+}
+
+void Instances::packShadows(const Frame& frame, const View& view) {
+  const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
+  const auto add = [&](const Vec3& center, float radius, float opacity) {
+    if (opacity > 0.0f && view.sees(center, radius * kShadowReach, farthest)) shadows.push_back({placeOf(center, radius), opacity});
+  };
+  for (const Sphere& s : frame.spheres) add(s.position, s.radius, frame.sphereShadow);
+  for (const Shadow& s : frame.shadows) add(s.position, s.radius, s.opacity);
+}
+
+void Instances::packHud(const Frame& frame, float width, float height) {
+  for (const HudQuad& q : frame.quads) {
+    const Vec2 at = pixelsOf(q.at, width, height), half = 0.5f * height * q.size;
+    hud.push_back({{at.x(), at.y(), half.x(), half.y()}, {0.0f, 0.0f, kRectangle, 0.0f}, q.color});
+  }
+  for (const HudArc& a : frame.arcs) {
+    if (a.to <= a.from) continue;
+    const Vec2 at = pixelsOf(a.at, width, height);
+    hud.push_back({{at.x(), at.y(), a.from, a.to}, {a.outer * height, a.inner * height, kArc, 0.0f}, a.color});
+  }
+  for (const HudText& text : frame.texts) addText(text, width, height, hud);
+}
+
+void Instances::pack(const Frame& frame, const View& view, int width, int height, bool withShadows) {
+  spheres.clear();
+  crumbs.clear();
+  glows.clear();
+  beams.clear();
+  shadows.clear();
+  hud.clear();
+  packBodies(frame, view);
+  if (withShadows) packShadows(frame, view);
+  packHud(frame, static_cast<float>(width), static_cast<float>(height));
+}
+
+}  // namespace brittle::render

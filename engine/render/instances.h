@@ -1,0 +1,60 @@
+// render/instances.h - the small things of a frame as the records their shaders read, one per instance. Pure packing; no GL.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/uniforms.h"
+
+namespace brittle::render {
+
+struct SphereInstance {
+  std::array<float, 4> place;     // centre, radius [m]
+  std::array<float, 4> rotation;  // x, y, z, w
+  std::uint32_t color;
+  std::uint32_t material;
+};
+
+/// Crumbs and glows.
+struct PlaceInstance {
+  std::array<float, 4> place;
+  std::uint32_t color;
+};
+
+struct BeamInstance {
+  std::array<float, 4> from;  // point, radius [m]
+  std::array<float, 3> to;
+  std::uint32_t color;
+};
+
+struct ShadowInstance {
+  std::array<float, 4> place;
+  float opacity;
+};
+
+/// HUD shapes and letters; see the hud shader for the meaning by kind.
+struct HudInstance {
+  std::array<float, 4> ends;
+  std::array<float, 4> form;
+  std::uint32_t color;
+};
+
+/// A frame's instances; the vectors keep their memory from frame to frame.
+struct Instances {
+  std::vector<SphereInstance> spheres;
+  std::vector<PlaceInstance> crumbs, glows;
+  std::vector<BeamInstance> beams;
+  std::vector<ShadowInstance> shadows;
+  std::vector<HudInstance> hud;
+
+  /// Refills everything from `frame`, leaving out what the view cannot see. Picture size in pixels. Shadows are packed only if `withShadows`.
+  void pack(const Frame& frame, const View& view, int width, int height, bool withShadows);
+
+ private:
+  void packBodies(const Frame& frame, const View& view);
+  void packShadows(const Frame& frame, const View& view);
+  void packHud(const Frame& frame, float width, float height);
+};
+
+}  // namespace brittle::render

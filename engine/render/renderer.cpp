@@ -1,0 +1,156 @@
+#include "engine/render/renderer.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/core/assert.h"
+#include "engine/core/profile.h"
+#include "engine/render/passes.h"
+
+namespace brittle::render {
+
+namespace {
+
+constexpr int kMaxPicture = 16384;      // [pixels]
+constexpr float kRefraction = 0.07f;    // how far aside tilted glass looks [picture heights]; chosen by eye
+
+}  // namespace
+
+/// A mesh group's GPU side and what the front end made of it this frame.
+struct Group {
+  std::uint64_t poolId;
+  const geometry::MeshPool* pool;
+  std::unique_ptr<MeshStore> store;
+  DrawList list;
+};
+
+struct Renderer::Parts {
+  Parts(const Gl& table, const RendererDef& definition, std::unique_ptr<Passes> made)
+      : gl(table), def(definition), passes(std::move(made)) {}
+
+  const Gl& gl;
+  RendererDef def;
+  std::unique_ptr<Passes> passes;
+  std::unique_ptr<Target> target;
+  std::vector<Material> materials;
+  std::map<StaticId, StaticMesh> statics;
+  StaticId nextStatic = 1;
+  std::vector<Group> stores;      // of the pools seen in the last frame
+  std::vector<Group*> groups;     // of this frame, nearest first
+  DrawListBuilder builder;
+  Instances instances;
+
+  Group& storeOf(const MeshGroup& group);
+  void syncGroups(const Frame& frame, const View& view);
+  void drawOpaque(const Frame& frame);
+  void drawTranslucent();
+};
+
+Group& Renderer::Parts::storeOf(const MeshGroup& group) {
+  const auto known = std::find_if(stores.begin(), stores.end(), [&](const Group& g) {
+    return g.pool == group.pool && g.poolId == group.poolId;
+  });
+  if (known != stores.end()) return *known;
+  stores.push_back({group.poolId, group.pool, std::make_unique<MeshStore>(gl), {}});
+  return stores.back();
+}
+
+void Renderer::Parts::syncGroups(const Frame& frame, const View& view) {
+  const auto isUsed = [&](const Group& g) {
+    return std::any_of(frame.groups.begin(), frame.groups.end(),
+                       [&](const MeshGroup& m) { return m.pool == g.pool && m.poolId == g.poolId; });
+  };
+  std::erase_if(stores, [&](const Group& g) { return !isUsed(g); });
+  stores.reserve(kMaxGroups);  // pointers into it live as long as the frame
+  groups.clear();
+  const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
+  for (const MeshGroup& mesh : frame.groups) {
+    if (mesh.pool == nullptr) continue;
+    Group& group = storeOf(mesh);
+    passes->counters().verticesUploaded += group.store->syncVertices(*mesh.pool);
+    group.store->syncTables(mesh);
+    builder.build(mesh, materials, view, farthest, group.list);
+    groups.push_back(&group);
+  }
+}
+
+void Renderer::Parts::drawOpaque(const Frame& frame) {
+  BR_ZONE("render opaque");
+  passes->beginRooms();
+  for (const VisibleStatic& visible : frame.statics) {
+    const auto mesh = statics.find(visible.id);
+    if (mesh != statics.end()) passes->room(mesh->second, visible.offset);
+  }
+  for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
+  passes->spheres(instances.spheres);
+  passes->crumbs(instances.crumbs);
+  passes->shadows(instances.shadows, *target);
+}
+
+void Renderer::Parts::drawTranslucent() {
+  BR_ZONE("render glass");
+  const bool hasGlass = std::any_of(groups.begin(), groups.end(), [](const Group* g) { return !g->list.glass.empty(); });
+  if (hasGlass && def.refraction) target->copyColor(kUnitColor);
+  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+    passes->glass(*(*group)->store, (*group)->list.glass, def.refraction ? kRefraction : 0.0f);
+    passes->edges(*(*group)->store, (*group)->list.edges);
+  }
+  passes->beams(instances.beams);
+  passes->glows(instances.glows);
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create(Gl& gl, const RendererDef& def) {
+  BR_ASSERT(def.samples == 0 || def.samples == 4);
+  Result<std::unique_ptr<Passes>> passes = Passes::create(gl);
+  if (!passes) return passes.error();
+  std::unique_ptr<Parts> parts(new Parts(gl, def, std::move(*passes)));
+  std::unique_ptr<Renderer> renderer(new Renderer(std::move(parts)));
+  renderer->setMaterials(builtInMaterials());
+  renderer->resize(def.width, def.height);
+  return renderer;
+}
+
+void Renderer::setMaterials(std::span<const Material> materials) {
+  parts_->materials.assign(materials.begin(), materials.end());
+  parts_->passes->setMaterials(makeMaterialUniforms(materials));
+}
+
+void Renderer::resize(int width, int height) {
+  BR_ASSERT(width > 0 && height > 0 && width <= kMaxPicture && height <= kMaxPicture);
+  parts_->target.reset();  // first, so that both never take memory at once
+  parts_->target = std::make_unique<Target>(parts_->gl, width, height, parts_->def.samples, parts_->def.offscreen);
+}
+
+StaticId Renderer::createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices) {
+  BR_ASSERT(indices.size() % 3 == 0);
+  parts_->statics.try_emplace(parts_->nextStatic, parts_->gl, vertices, indices);
+  return parts_->nextStatic++;
+}
+
+void Renderer::destroyStatic(StaticId id) { parts_->statics.erase(id); }
+
+void Renderer::draw(const Frame& frame) {
+  BR_ZONE("render");
+  Parts& p = *parts_;
+  const int width = p.target->width(), height = p.target->height();
+  const View view = makeView(frame.camera, width, height);
+  p.passes->begin(makeFrameUniforms(frame, view, width, height));
+  p.syncGroups(frame, view);
+  p.instances.pack(frame, view, width, height, p.def.shadows);
+
+  p.target->bindScene();
+  p.passes->background();
+  p.drawOpaque(frame);
+  p.drawTranslucent();
+  p.passes->composite(*p.target, frame.tint, frame.border);
+  p.passes->hud(p.instances.hud);
+}
+
+Image Renderer::readBack() { return parts_->target->readPicture(); }
+
+const FrameCounters& Renderer::counters() const { return parts_->passes->counters(); }
+
+}  // namespace brittle::render

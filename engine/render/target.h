@@ -1,0 +1,45 @@
+// render/target.h - the framebuffers of a picture: the scene (multisampled or not), copies of its colour and depth that later passes
+// read, and the finished picture when there is no window. Made for one size.
+#pragma once
+
+#include "engine/render/capture.h"
+#include "engine/render/gl_object.h"
+
+namespace brittle::render {
+
+class Target {
+ public:
+  /// `offscreen`: the finished picture gets a framebuffer of its own instead of framebuffer 0.
+  Target(const Gl& gl, int width, int height, int samples, bool offscreen);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  void bindScene() const;
+  void bindPicture() const;
+  /// Copies what the scene shows now into a texture and binds that to `unit`; the copy is made on first use.
+  void copyColor(GLint unit);
+  void copyDepth(GLint unit);
+  /// Binds the scene's colour, resolved, to `unit`.
+  void resolve(GLint unit);
+  Image readPicture() const;
+
+ private:
+  struct Copy {
+    GlTexture texture;
+    GlFramebuffer framebuffer;
+  };
+  Copy makeCopy(GLenum format, GLenum attachment) const;
+  void blit(Copy& copy, GLenum format, GLbitfield what, GLint unit);
+  GlRenderbuffer makeRenderbuffer(GLenum format, GLenum attachment, int samples) const;
+
+  const Gl& gl_;
+  int width_, height_, samples_;
+  Copy scene_;                            // without multisampling its colour is a texture
+  GlRenderbuffer sceneColor_, sceneDepth_;
+  Copy colorCopy_, depthCopy_, resolved_;
+  GlFramebuffer picture_;
+  GlRenderbuffer pictureColor_;
+};
+
+}  // namespace brittle::render
