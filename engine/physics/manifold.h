@@ -34,8 +34,12 @@ struct Manifold {
   Vec3 frictionImpulse = Vec3::Zero(); // [N s]
   float twistImpulse = 0.0f;           // [N m s]
   geometry::SimplexCache simplex;
-  // The relative pose the points were computed at: while the pair hardly moves, points are only refreshed (contact recycling).
-  Transform computedAt;
+  // What the points were computed at: while the pair hardly moves, they are only refreshed (contact recycling). Whoever puts
+  // points in by hand, or changes a mesh, leaves or sets `computed` false and the next update searches afresh.
+  Transform computedAt;                // B's pose seen from A
+  Vec3 localNormal = Vec3::UnitY();    // the normal in A's frame
+  float reach = 0.0f;                  // farthest vertex of the smaller shape from the first point [m]
+  float computedMargin = 0.0f;         // [m]
   bool computed = false;
   bool seeded = false;                 // came from the cut, not from a search
 
@@ -51,6 +55,9 @@ struct Manifold {
     a(simplex.b);
     a(computedAt.position);
     a(computedAt.rotation);
+    a(localNormal);
+    a(reach);
+    a(computedMargin);
     a(computed);
     a(seeded);
   }
@@ -69,7 +76,9 @@ struct ManifoldSettings {
 
 /// Brings the manifold of a pair up to date: points closer than `margin` [m] (speculative ones have positive separation),
 /// accumulated impulses kept with the points that survive. No points: the pair is further apart than the margin.
-/// `sizeA` and `sizeB` are the inner radii [m], which tolerances are relative to.
+/// `sizeA` and `sizeB` are the inner radii [m], which tolerances are relative to. No allocation once the scratch is warm.
+/// The normal is that of a face where one is nearly along the direction of least distance and the pair is close, or exactly
+/// along it at any distance; else it is that direction itself, with one point.
 void updateManifold(const geometry::Proxy& a, const Transform& poseA, float sizeA, const geometry::Proxy& b, const Transform& poseB,
                     float sizeB, float margin, const ManifoldSettings& settings, Manifold& manifold);
 
