@@ -6,9 +6,6 @@
 
 namespace brittle::sim::rules {
 
-/// Raised by every change that changes results: a replay of another version is refused.
-inline constexpr std::uint32_t kSimulationVersion = 1;
-
 // Time.
 inline constexpr int kTickRate = 60;                    // [ticks/s], format
 inline constexpr float kTickSeconds = 1.0f / 60.0f;     // [s]
@@ -30,9 +27,11 @@ inline constexpr float kSpawnAhead = 30.0f;             // obstacles start this 
 inline constexpr float kSpawnAheadElevator = 40.0f;     // those with "elevator" in their name [m], format
 inline constexpr float kNextRoomAhead = 30.0f;          // the next room is made this far before the door [m], format
 inline constexpr float kShiftEvery = 64.0f;             // the origin moves on at multiples of this in a room [m], multiple of 2^-8
+inline constexpr float kBuildAhead = 70.0f;             // segments get their bodies this far ahead [m]; a ball never outflies it
 inline constexpr float kSegmentBehind = 2.0f;           // a segment is dropped when its end is this far behind the camera [m]
 inline constexpr float kDefaultRoomLength = 160.0f;     // of a room script that declares none [m]
 inline constexpr float kLengthStep = 1.0f / 256.0f;     // room lengths and shifts are multiples of this [m]
+inline constexpr float kBehindCamera = 0.6f;            // things wholly this far behind are removed [m]
 inline constexpr float kFallDepth = -10.0f;             // what falls below is removed [m], format
 
 // Balls.
@@ -54,12 +53,17 @@ inline constexpr int kCrashCost = 10;                   // balls, format
 inline constexpr int kCrashPause = 45;                  // ticks without another crash
 inline constexpr float kCrashPieceMass = 6.0f;          // loose pieces below this are pushed aside by the camera [kg]
 inline constexpr float kCrashSpeed = 12.0f;             // breaking by the camera is a hit of this speed [m/s]
+inline constexpr int kLastBallTicks = 120;              // grace for the last ball to win others [ticks]
+inline constexpr int kClearedNotes = 12;                // sounds of a cleared obstacle, format
 inline constexpr int kPainTicks = 40;                   // the red border fades over this [ticks]
 
 // Units of the level format. Its materials say density 1 and force limits of 0.01 to 0.5. Shipped panes (4 x 2 x 0.04 m, limit 0.1)
 // weigh 80 kg and hold 150 N s a tick: ten times their weight is 131 N s; a ball brings 1430 N s at the slowest throw.
 inline constexpr float kDensityUnit = 250.0f;           // [kg/m3] per 1 of the format
 inline constexpr float kForceUnit = 1500.0f;            // [N s] per 1 of the format
+inline constexpr float kCarveRadius = 0.42f;            // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
+inline constexpr float kBlockCracks = 1.0f;             // cracks in blocks, relative to the material's default [-]
+inline constexpr float kSmallestPiece = 3e-5f;          // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
 inline constexpr float kGravity = 9.81f;                // [m/s2] at the format's gravity 1
 
 // Collision categories (bits), the format's.
@@ -71,6 +75,12 @@ inline constexpr std::uint32_t kCategoryRoom = 128;     // what rays with mask 1
 
 // Scripts.
 inline constexpr std::uint32_t kMaxBodiesPerObstacle = 256;
+inline constexpr std::uint32_t kMaxShapesPerObstacle = 1024;
+inline constexpr std::uint32_t kMaxObstaclesPerRoom = 4000;
+inline constexpr std::int64_t kScriptInstructions = 200'000;  // per call of a script; a busy obstacle needs a few thousand
+inline constexpr int kCylinderSides = 12;
+inline constexpr float kButtonRadius = 0.2f;            // [m]
+inline constexpr float kLaserReach = 20.0f;             // [m]
 inline constexpr std::uint32_t kMaxSegmentsPerRoom = 400;
 inline constexpr std::uint32_t kMaxProblems = 256;      // kept; the rest is counted
 

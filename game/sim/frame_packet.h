@@ -33,6 +33,7 @@ struct LookBox {
   float tileSize[3] = {1.0f, 1.0f, 1.0f};                         // [m]
   std::int32_t tileRotation[3] = {0, 0, 0};                       // quarter turns
   bool reflects = false;
+  float glow = 0.0f;
 };
 
 struct LookDecal {
@@ -78,6 +79,11 @@ struct CrumbView {
   std::uint32_t color = 0xffffffff;      // RGBA8, R lowest
 };
 
+/// A taut or slack rope between two points. [m]
+struct RopeView {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+};
+
 /// One of the at most two rooms alive: the one the camera is in and the next one.
 struct RoomView {
   std::uint64_t number = 0;              // counts up through the game
@@ -91,6 +97,8 @@ struct RoomView {
   std::vector<BodyPose> bodies;          // by body slot
   Vec3 bodyOffset = Vec3::Zero();        // added already to every pose of this room
   std::vector<CrumbView> crumbs;
+  std::vector<RopeView> ropes;
+  std::vector<RopeView> beams;           // lasers
 };
 
 struct Hud {

@@ -77,6 +77,7 @@ class Game {
   std::int64_t globalOrigin() const;                // of that room [2^-8 m]
   std::uint32_t totalBreaks() const;                // breakings since the start
   std::uint32_t totalCrashes() const;
+  std::uint32_t totalQuarantined() const;           // bodies removed because a number in them was not finite: must stay 0
 
   /// Copies out all that the picture needs; reuses the packet's memory.
   void copyFrame(FramePacket& packet) const;

@@ -1,0 +1,50 @@
+#include "game/sim/content_reader.h"
+
+#include "engine/core/hash.h"
+
+namespace brittle::sim {
+
+ContentReader::ContentReader(const content::AssetSource& assets) : assets_(assets), materials_(content::builtInMaterials()) {
+  if (const Result<std::string> found = text("templates.xml")) templates_ = content::readTemplates(*found, "templates.xml");
+  if (const Result<std::string> found = text("materials.xml")) materials_ = content::readMaterials(*found, "materials.xml");
+  addProblems(templates_.problems);
+  addProblems(materials_.problems);
+}
+
+Result<std::string> ContentReader::text(const std::string& name) {
+  const auto known = texts_.find(name);
+  if (known != texts_.end()) return known->second;
+  Result<std::string> found = assets_.read(name);
+  // A sum of the files' hashes does not depend on the order in which a game happens to need them.
+  if (found) hash_ += hashBytes(found->data(), found->size(), hashBytes(name.data(), name.size()));
+  texts_.emplace(name, found);
+  return found;
+}
+
+std::shared_ptr<const content::Segment> ContentReader::segment(const std::string& name) {
+  const auto known = segments_.find(name);
+  if (known != segments_.end()) return known->second;
+  const std::string file = "segments/" + name + ".xml";
+  const Result<std::string> source = text(file);
+  std::shared_ptr<const content::Segment> made;
+  if (source) {
+    made = std::make_shared<const content::Segment>(content::readSegment(*source, file, templates_));
+    addProblems(made->problems);
+  } else {
+    problems_.push_back(source.error().message);
+  }
+  segments_[name] = made;
+  return made;
+}
+
+std::vector<std::string> ContentReader::takeProblems() {
+  std::vector<std::string> taken;
+  taken.swap(problems_);
+  return taken;
+}
+
+void ContentReader::addProblems(const content::Problems& problems) {
+  for (const content::Problem& problem : problems) problems_.push_back(problem.text());
+}
+
+}  // namespace brittle::sim

@@ -1,0 +1,45 @@
+// game/sim/content_reader.h - the files a game reads, each once: templates, materials, segments, scripts. Keeps a hash over all of them, so
+// that a replay can tell whether it is played on the same content. Problems of files go to a list that the session takes over.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "game/content/asset_source.h"
+#include "game/content/level.h"
+#include "game/content/material.h"
+#include "game/content/segment.h"
+
+namespace brittle::sim {
+
+class ContentReader {
+ public:
+  explicit ContentReader(const content::AssetSource& assets);
+
+  /// A text file.
+  Result<std::string> text(const std::string& name);
+  /// segments/NAME.xml, or null and a problem.
+  std::shared_ptr<const content::Segment> segment(const std::string& name);
+  const content::MaterialTable& materials() const { return materials_; }
+
+  /// Over the names and bytes of every file read so far, whatever the order.
+  std::uint64_t hash() const { return hash_; }
+  /// What was wrong with files read since the last call.
+  std::vector<std::string> takeProblems();
+  void addProblems(const content::Problems& problems);
+
+ private:
+  const content::AssetSource& assets_;
+  content::TemplateSet templates_;
+  content::MaterialTable materials_;
+  std::map<std::string, Result<std::string>> texts_;
+  std::map<std::string, std::shared_ptr<const content::Segment>> segments_;
+  std::vector<std::string> problems_;
+  std::uint64_t hash_ = 0;
+};
+
+}  // namespace brittle::sim

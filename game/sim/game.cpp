@@ -1,0 +1,190 @@
+#include "game/sim/game.h"
+
+#include "game/sim/level.h"
+#include "game/sim/session.h"
+#include "game/sim/track.h"
+
+namespace brittle::sim {
+
+namespace {
+
+/// Raised whenever a snapshot's layout or the meaning of an input changes.
+constexpr std::uint32_t kSnapshotVersion = 1;
+
+}  // namespace
+
+struct Game::Impl {
+  Impl(const content::AssetSource& assets, const GameDef& def) : session(assets, def) {
+    session.score.balls = rules::kStartBalls;
+    session.score.free = def.mode == Mode::Zen;
+    session.globals["player.mode"] = std::to_string(static_cast<int>(def.mode));
+  }
+  void refreshHud();
+
+  Session session;
+  std::unique_ptr<Track> track;
+  Hud hud;
+};
+
+void Game::Impl::refreshHud() {
+  const Score& score = session.score;
+  hud.balls = score.balls;
+  hud.streak = score.streak;
+  hud.ballsPerThrow = score.ballsPerThrow();
+  hud.distance = track->displayedDistance();
+  hud.roomProgress = clampTo(track->pace().distance() / track->pace().roomLength(), 0.0f, 1.0f);
+  hud.pain = static_cast<float>(score.pain) / static_cast<float>(rules::kPainTicks);
+  hud.gameOver = score.over;
+  hud.levelDone = track->levelDone();
+}
+
+Game::Game(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Game::~Game() = default;
+
+Result<std::unique_ptr<Game>> Game::create(const content::AssetSource& assets, const GameDef& def) {
+  auto impl = std::make_unique<Impl>(assets, def);
+  Result<std::vector<RoomEntry>> entries = loadLevel(impl->session, def.level);
+  if (!entries) return entries.error();
+  if (def.firstRoom >= entries->size())
+    return Error{"level " + def.level + ": no room " + std::to_string(def.firstRoom) + ", it has " + std::to_string(entries->size())};
+  readAhead(impl->session, *entries);
+  impl->track = std::make_unique<Track>(impl->session, std::move(*entries), def.firstRoom, def.startOffset);
+  impl->refreshHud();
+  return std::unique_ptr<Game>(new Game(std::move(impl)));
+}
+
+void Game::tick(const replay::InputFrame& input) {
+  Session& session = impl_->session;
+  session.events.clear();
+  const bool wasOver = session.score.over;
+  impl_->track->tick(input);
+  session.score.tick();
+  if (session.score.over && !wasOver) {
+    Event event;
+    event.type = EventType::GameOver;
+    session.events.push_back(event);
+  }
+  ++session.tick;
+  impl_->refreshHud();
+}
+
+std::uint64_t Game::tickCount() const { return impl_->session.tick; }
+
+std::uint64_t Game::stateHash() const {
+  HashArchive archive;
+  impl_->session.score.serialize(archive);
+  StateHash hash;
+  hash.add(impl_->session.tick);
+  hash.add(archive.value());
+  for (const auto& [key, value] : impl_->session.globals) {
+    hash.addBytes(key.data(), key.size());
+    hash.addBytes(value.data(), value.size());
+  }
+  hash.add(impl_->track->stateHash());
+  return hash.value();
+}
+
+std::uint64_t Game::roomHash() const { return impl_->track->roomHash(); }
+
+void Game::save(ByteWriter& out) const {
+  const Session& session = impl_->session;
+  out.write(kSnapshotVersion);
+  out.writeString(session.def.level);
+  out.write(session.def.seed);
+  out.write(session.tick);
+  SaveArchive archive(out);
+  Score score = session.score;
+  score.serialize(archive);
+  out.write(static_cast<std::uint32_t>(session.globals.size()));
+  for (const auto& [key, value] : session.globals) {
+    out.writeString(key);
+    out.writeString(value);
+  }
+  impl_->track->save(out);
+}
+
+bool Game::restore(ByteReader& in) {
+  Session& session = impl_->session;
+  if (in.read<std::uint32_t>() != kSnapshotVersion || in.readString() != session.def.level) return false;
+  if (in.read<std::uint64_t>() != session.def.seed) return false;
+  session.tick = in.read<std::uint64_t>();
+  RestoreArchive archive(in);
+  session.score.serialize(archive);
+  std::map<std::string, std::string> globals;
+  const auto count = in.read<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count && in.ok(); ++i) {
+    const std::string key = in.readString();
+    globals[key] = in.readString();
+  }
+  if (!in.ok() || !impl_->track->restore(in)) return false;
+  session.globals = globals;  // rooms made anew have run their scripts: what those set is in here already
+  session.events.clear();
+  impl_->refreshHud();
+  return true;
+}
+
+const GameDef& Game::def() const { return impl_->session.def; }
+std::uint64_t Game::contentHash() const { return impl_->session.files.hash(); }
+Camera Game::camera() const { return impl_->track->camera(); }
+const Hud& Game::hud() const { return impl_->hud; }
+bool Game::isOver() const { return impl_->hud.gameOver || impl_->hud.levelDone; }
+const std::vector<Event>& Game::events() const { return impl_->session.events; }
+const std::vector<Problem>& Game::problems() const { return impl_->session.problems; }
+const std::vector<std::string>& Game::soundNames() const { return impl_->session.soundNames; }
+std::uint64_t Game::roomNumber() const { return impl_->track->current().number(); }
+float Game::roomDistance() const { return impl_->track->pace().distance(); }
+std::int64_t Game::globalOrigin() const { return impl_->track->globalOrigin(); }
+std::uint32_t Game::totalBreaks() const { return impl_->session.score.breaks; }
+std::uint32_t Game::totalCrashes() const { return impl_->session.score.crashes; }
+std::uint32_t Game::totalQuarantined() const { return impl_->session.score.quarantined; }
+const effects::EffectSet& Game::effects() const { return impl_->session.effects; }
+
+void Game::copyFrame(FramePacket& packet) const {
+  const Session& session = impl_->session;
+  const Track& track = *impl_->track;
+  packet.tick = session.tick;
+  packet.camera = track.camera();
+  packet.originZ = -(static_cast<double>(track.globalOrigin()) / 256.0 + static_cast<double>(track.current().shift()));
+  packet.fogNear = rules::kFogNear;
+  packet.fogFull = rules::kFogFull;
+  packet.shake = track.current().shake();
+  packet.rooms.resize(track.next() != nullptr ? 2 : 1);
+  packet.balls.clear();
+  track.current().copyView(packet.rooms[0], packet.balls);
+  if (track.next() != nullptr) track.next()->copyView(packet.rooms[1], packet.balls);
+  packet.events = session.events;
+  packet.hud = impl_->hud;
+}
+
+geometry::MeshPool* Game::meshes(std::uint32_t slot) {
+  Track& track = *impl_->track;
+  if (track.current().slot() == slot) return &track.current().world().meshes();
+  if (track.next() != nullptr && track.next()->slot() == slot) return &track.next()->world().meshes();
+  return nullptr;
+}
+
+physics::Counters Game::counters() const {
+  physics::Counters sum = impl_->track->current().world().counters();
+  if (impl_->track->next() == nullptr) return sum;
+  const physics::Counters& other = impl_->track->next()->world().counters();
+  sum.bodies += other.bodies;
+  sum.awakeBodies += other.awakeBodies;
+  sum.shapes += other.shapes;
+  sum.contacts += other.contacts;
+  sum.points += other.points;
+  sum.pairsTested += other.pairsTested;
+  sum.rounds = maxOf(sum.rounds, other.rounds);
+  sum.breaks += other.breaks;
+  sum.pieces += other.pieces;
+  sum.crumbs += other.crumbs;
+  sum.held += other.held;
+  sum.swept += other.swept;
+  return sum;
+}
+
+void Game::setAccuracy(const physics::Accuracy& accuracy) {
+  impl_->session.def.accuracy = accuracy;
+  impl_->track->setAccuracy(accuracy);
+}
+
+}  // namespace brittle::sim

@@ -1,0 +1,41 @@
+#include "game/sim/level.h"
+
+#include "game/content/level.h"
+
+namespace brittle::sim {
+
+Result<std::vector<RoomEntry>> loadLevel(Session& session, const std::string& name) {
+  const std::string file = "levels/" + name + ".xml";
+  const Result<std::string> text = session.files.text(file);
+  if (!text) return text.error();
+  const content::Level level = content::readLevel(*text, file);
+  session.files.addProblems(level.problems);
+  session.takeFileProblems();
+  std::vector<RoomEntry> entries;
+  for (const content::Room& room : level.rooms) {
+    RoomEntry entry;
+    entry.type = room.type;
+    entry.displayLength = room.length;
+    entry.attributes = room.attributes;
+    entry.where = file + ":" + std::to_string(room.line);
+    entries.push_back(std::move(entry));
+  }
+  if (entries.empty()) return Error{file + ": no rooms, expected at least one <room type=...>"};
+  return entries;
+}
+
+void readAhead(Session& session, const std::vector<RoomEntry>& entries) {
+  std::map<std::string, std::string> globals = session.globals;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const RoomPlan plan = planRoom(session, entries[i], roomSeed(session, entries[i], i), globals);
+    for (const ObstacleDef& obstacle : plan.obstacles) (void)session.files.text("obstacles/" + obstacle.type + ".lua");
+  }
+}
+
+std::uint64_t roomSeed(const Session& session, const RoomEntry& entry, std::uint64_t number) {
+  const auto said = entry.attributes.find("seed");
+  if (said != entry.attributes.end()) return hashBytes(said->second.data(), said->second.size());
+  return mixSeed(session.def.seed, number);
+}
+
+}  // namespace brittle::sim

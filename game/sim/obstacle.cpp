@@ -1,0 +1,156 @@
+#include "game/sim/obstacle.h"
+
+#include "engine/core/random.h"
+#include "engine/physics/world.h"
+#include "game/sim/obstacle_api.h"
+#include "game/sim/room.h"
+
+namespace brittle::sim {
+
+Transform Obstacle::pose() const {
+  return {Vec3(def->position + Vec3(0.0f, 0.0f, room->shift())), rotationXyz(def->rotation)};
+}
+
+int Obstacle::numberOf(physics::BodyHandle handle) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].handle == handle) return static_cast<int>(i) + 1;
+  if (!room->world().isAlive(handle) || bodies.size() >= rules::kMaxBodiesPerObstacle) return 0;
+  ScriptBody body;
+  body.handle = handle;
+  body.assembly = room->world().body(handle).assembly;
+  bodies.push_back(body);
+  return static_cast<int>(bodies.size());
+}
+
+Status Obstacle::load() {
+  const Result<std::string> source = room->readScript("obstacles/" + def->type + ".lua");
+  if (!source) return source.error();
+  script::Limits limits;
+  scriptHashed_ = false;
+  limits.instructions = rules::kScriptInstructions;
+  script = std::make_unique<script::Sandbox>(obstacleLibrary(), mixSeed(room->seed(), number), limits, this);
+  return script->load(*source, def->type + ".lua");
+}
+
+void Obstacle::start() {
+  stage = Stage::Alive;
+  Status status = load();
+  if (status && script->has("init")) {
+    const Result<script::Value> called = script->call("init");
+    if (!called) status = called.error();
+  }
+  if (!status) {
+    room->session().report(def->where + ": obstacle " + def->type + ": " + status.error().message);
+    failed = true;
+  }
+  physics::World& world = room->world();
+  for (ScriptBody& body : bodies) {
+    if (!body.handle || !world.isAlive(body.handle)) continue;
+    const physics::Body& made = world.body(body.handle);
+    if (made.userData == number && made.type == physics::BodyType::Static && made.breaking.strength > 0.0f) world.anchor(body.handle);
+  }
+}
+
+void Obstacle::tickScript() {
+  laser = false;
+  beams.clear();
+  ++ticks;
+  if (!failed && script && script->has("tick")) {
+    scriptHashed_ = false;
+    const Result<script::Value> called = script->call("tick");
+    if (!called) {
+      room->session().report(def->where + ": obstacle " + def->type + ": " + called.error().message);
+      failed = true;  // its bodies stay as they are
+    }
+  }
+  for (ScriptButton& button : buttons) button.justPressed = false;
+}
+
+bool Obstacle::restoreScript(ByteReader& in) {
+  const bool saved = in.read<bool>();
+  script.reset();
+  if (!saved) return in.ok();
+  muted = true;
+  const Status loaded = load();
+  muted = false;
+  // A script that failed while loading saved what it had by then: the same again.
+  (void)loaded;
+  return script && static_cast<bool>(script->restore(in)) && in.ok();
+}
+
+void Obstacle::saveScript(ByteWriter& out) const {
+  ByteWriter saved;
+  const bool isSaved = script && static_cast<bool>(script->save(saved));
+  if (script && !isSaved) room->session().report(def->where + ": obstacle " + def->type + ": its state cannot be saved");
+  out.write(isSaved);
+  out.writeBytes(saved.bytes().data(), saved.bytes().size());
+}
+
+std::uint64_t Obstacle::scriptHash() const {
+  if (!scriptHashed_ && script) {
+    ByteWriter saved;
+    const Status status = script->save(saved);
+    scriptHash_ = status ? hashBytes(saved.bytes().data(), saved.bytes().size()) : 1;
+    scriptHashed_ = true;
+  }
+  return script ? scriptHash_ : 0;
+}
+
+const script::Library& obstacleLibrary() {
+  static const script::Library library = [] {
+    script::Library made;
+    addShapeCalls(made);
+    addJointCalls(made);
+    addMotionCalls(made);
+    addQueryCalls(made);
+    addPlayCalls(made);
+    return made;
+  }();
+  return library;
+}
+
+void addCall(script::Library& library, const char* name, void (*native)(script::Call&, Obstacle&)) {
+  library.add(name, [native](script::Call& call) {
+    Obstacle& obstacle = call.user<Obstacle>();
+    if (obstacle.muted) return call.result(0);
+    native(call, obstacle);
+  });
+}
+
+Vec3 readVector(script::Call& call, int first) {
+  const float x = call.real(first);
+  const float y = call.real(first + 1);
+  const float z = call.real(first + 2);
+  return Vec3(x, y, z);
+}
+
+Vec3 readVector(script::Call& call, int first, const Vec3& otherwise) {
+  return call.has(first) ? readVector(call, first) : otherwise;
+}
+
+void answer(script::Call& call, const Vec3& vector) {
+  for (int i = 0; i < 3; ++i) call.result(vector[i]);
+}
+
+Vec3 anglesOf(const Quat& rotation) {
+  const Mat3 m = rotation.toRotationMatrix();
+  return Vec3(arcTangent(m(2, 1), m(2, 2)), arcSine(-m(2, 0)), arcTangent(m(1, 0), m(0, 0)));
+}
+
+ScriptBody* readBody(script::Call& call, Obstacle& obstacle, int index) {
+  const int number = call.integer(index);
+  if (call.failed()) return nullptr;
+  ScriptBody* body = obstacle.bodyAt(number);
+  if (body == nullptr) call.fail("no body " + std::to_string(number));
+  return body;
+}
+
+physics::BodyHandle currentBody(const Obstacle& obstacle, const ScriptBody& body) {
+  const physics::World& world = obstacle.room->world();
+  if (!body.handle || world.isAlive(body.handle)) return body.handle;
+  std::vector<physics::BodyHandle> pieces;
+  world.bodiesOf(body.assembly, pieces);
+  return pieces.empty() ? physics::BodyHandle{} : pieces.front();
+}
+
+}  // namespace brittle::sim

@@ -1,0 +1,30 @@
+// game/sim/obstacle_api.h - the obstacle scripts' calls, one file per theme; and what their natives share.
+#pragma once
+
+#include "engine/script/library.h"
+#include "game/sim/obstacle.h"
+
+namespace brittle::sim {
+
+void addShapeCalls(script::Library& library);    // materials, bodies, shapes
+void addJointCalls(script::Library& library);
+void addMotionCalls(script::Library& library);   // drives, velocities
+void addQueryCalls(script::Library& library);    // rays, poses, camera
+void addPlayCalls(script::Library& library);     // score, sound, time, parameters
+
+/// Adds a call whose native gets the obstacle; while the obstacle is muted the call does nothing and answers 0.
+void addCall(script::Library& library, const char* name, void (*native)(script::Call&, Obstacle&));
+
+/// Three numbers from argument `first` on; `otherwise` if the first of them is missing.
+Vec3 readVector(script::Call& call, int first);
+Vec3 readVector(script::Call& call, int first, const Vec3& otherwise);
+void answer(script::Call& call, const Vec3& vector);
+/// About X, Y, Z, such that rotationXyz gives the rotation back.
+Vec3 anglesOf(const Quat& rotation);
+
+/// The body of argument `index`; a wrong number fails the call. Null also if the body has not been made or is gone.
+ScriptBody* readBody(script::Call& call, Obstacle& obstacle, int index);
+/// A body that the script's body now is: itself, or the first that its pieces belong to. Null if none is left.
+physics::BodyHandle currentBody(const Obstacle& obstacle, const ScriptBody& body);
+
+}  // namespace brittle::sim

@@ -1,0 +1,189 @@
+// The calls of obstacle scripts about the game itself: crystals, cleared obstacles, buttons, lasers, sound, time and parameters.
+#include <vector>
+
+#include "engine/geometry/make.h"
+#include "engine/physics/world.h"
+#include "game/content/number.h"
+#include "game/sim/obstacle_api.h"
+#include "game/sim/room.h"
+
+namespace brittle::sim {
+
+namespace {
+
+void score(script::Call& call, Obstacle& obstacle) {
+  const int worth = call.integer(1);
+  if (!call.failed()) obstacle.crystal = clampTo(worth, 0, 100);
+}
+
+void clear(script::Call&, Obstacle& obstacle) { obstacle.room->clearObstacle(obstacle); }
+
+void createButton(script::Call& call, Obstacle& obstacle) {
+  const Vec3 position = readVector(call, 1);
+  if (call.failed()) return;
+  if (obstacle.bodies.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many bodies");
+  ScriptBody body;
+  body.pose = {position, rotationAbout(Vec3::UnitX(), 0.5f * kPi)};  // its flat side towards the camera
+  physics::World& world = obstacle.room->world();
+  physics::BodyDef def;
+  def.type = physics::BodyType::Static;
+  def.pose = obstacle.pose() * body.pose;
+  def.userData = obstacle.number;
+  body.handle = world.createBody(def);
+  body.assembly = world.body(body.handle).assembly;
+  body.look = Look::Metal;
+  physics::ShapeDef shape;
+  shape.drawMaterial = static_cast<std::uint16_t>(Look::Metal);
+  world.addConvex(body.handle, shape, geometry::makeCylinder(rules::kButtonRadius, 0.05f, rules::kCylinderSides));
+  obstacle.bodies.push_back(body);
+  obstacle.buttons.push_back({static_cast<std::uint32_t>(obstacle.bodies.size()), false, false});
+  call.result(static_cast<int>(obstacle.buttons.size()));
+}
+
+ScriptButton* readButton(script::Call& call, Obstacle& obstacle) {
+  const int number = call.integer(1);
+  if (call.failed()) return nullptr;
+  if (number >= 1 && number <= static_cast<int>(obstacle.buttons.size())) return &obstacle.buttons[static_cast<std::size_t>(number) - 1];
+  call.fail("no button " + std::to_string(number));
+  return nullptr;
+}
+
+void isButtonDown(script::Call& call, Obstacle& obstacle) {
+  const bool onlyNow = call.boolean(2, false);
+  const ScriptButton* button = readButton(call, obstacle);
+  if (!call.failed()) call.result(onlyNow ? button->justPressed : button->down);
+}
+
+void setButtonDown(script::Call& call, Obstacle& obstacle) {
+  const bool down = call.boolean(2, true);
+  ScriptButton* button = readButton(call, obstacle);
+  if (!call.failed()) button->down = down;
+}
+
+/// A beam that ends at the first thing in its way and hurts when it meets the camera.
+void laser(script::Call& call, Obstacle& obstacle) {
+  const Vec3 from = readVector(call, 1);
+  const Vec3 way = readVector(call, 4);
+  if (call.failed()) return;
+  call.charge(200);
+  const Vec3 start = obstacle.pose().toWorld(from);
+  const Vec3 direction = obstacle.pose().rotate(normalizedOr(way, Vec3::UnitX()));
+  Vec3 end = start + direction * rules::kLaserReach;
+  const physics::RayResult ray = obstacle.room->world().castRay(start, end);
+  if (ray.hit) end = ray.point;
+  const Vec3 eye = obstacle.room->viewpoint().position;
+  const Vec3 beam = end - start;
+  const float along = clampTo((eye - start).dot(beam) / maxOf(beam.squaredNorm(), 1e-12f), 0.0f, 1.0f);
+  if ((start + beam * along - eye).norm() < rules::kCameraRadius) obstacle.laser = true;
+  obstacle.beams.push_back({start, end});
+}
+
+void getBeat(script::Call& call, Obstacle& obstacle) {
+  const float ease = clampTo(call.real(1, 0.3f), 0.01f, 1.0f);
+  if (call.failed()) return;
+  const float beats = static_cast<float>(obstacle.room->ticks()) / rules::kBeatTicks;
+  const float whole = static_cast<float>(static_cast<int>(beats));
+  const float ramp = clampTo((beats - whole) / ease, 0.0f, 1.0f);
+  call.result(whole - 1.0f + ramp * ramp * (3.0f - 2.0f * ramp));
+}
+
+/// The parameter of this name from the segment, or null.
+const std::string* findParameter(script::Call& call, const Obstacle& obstacle) {
+  const auto found = obstacle.def->parameters.find(call.string(1));
+  return call.failed() || found == obstacle.def->parameters.end() ? nullptr : &found->second;
+}
+
+template <bool whole>
+void getNumber(script::Call& call, Obstacle& obstacle) {
+  double number = call.number(2, 0.0);
+  const std::string* text = findParameter(call, obstacle);
+  if (call.failed()) return;
+  const auto said = text != nullptr ? content::parseNumber(*text) : std::nullopt;
+  if (said && *said > -1e9 && *said < 1e9) {
+    number = *said;
+  } else if (text != nullptr)
+    obstacle.room->session().report(obstacle.def->where + ": parameter " + call.string(1) + "=" + *text + ": expected a number");
+  call.result(whole ? static_cast<double>(static_cast<std::int64_t>(clampTo(number, -1e9, 1e9))) : number);
+}
+
+void getBool(script::Call& call, Obstacle& obstacle) {
+  const bool otherwise = call.boolean(2, false);
+  const std::string* text = findParameter(call, obstacle);
+  if (call.failed()) return;
+  call.result(text == nullptr ? otherwise : *text == "true" || *text == "1");
+}
+
+void getString(script::Call& call, Obstacle& obstacle) {
+  const std::string otherwise = call.string(2, "");
+  const std::string* text = findParameter(call, obstacle);
+  if (!call.failed()) call.result(script::Value(text == nullptr ? otherwise : *text));
+}
+
+void getColor(script::Call& call, Obstacle& obstacle) {
+  double values[3] = {call.number(2, 1.0), 1.0, 1.0};
+  values[1] = call.number(3, 1.0);
+  values[2] = call.number(4, 1.0);
+  const std::string* text = findParameter(call, obstacle);
+  if (call.failed()) return;
+  const auto said = text != nullptr ? content::parseNumbers(*text) : std::nullopt;
+  for (std::size_t i = 0; said && i < 3 && i < said->size(); ++i) values[i] = clampTo((*said)[i], -100.0, 100.0);
+  for (const double value : values) call.result(value);
+}
+
+void playSound(script::Call& call, Obstacle& obstacle) {
+  const int number = call.integer(1);
+  const float volume = call.real(2, 1.0f);
+  if (call.failed()) return;
+  Event event;
+  event.type = EventType::Sound;
+  event.point = obstacle.pose().position;
+  event.value = number - 1;
+  event.size = clampTo(volume, 0.0f, 1.0f);
+  obstacle.room->emit(event);
+}
+
+void addSoundCalls(script::Library& library) {
+  addCall(library, "mgCreateSound", [](script::Call& call, Obstacle& o) {
+    const std::string name = call.string(1);
+    if (!call.failed()) call.result(o.room->session().soundIndex(name) + 1);
+  });
+  addCall(library, "mgPlaySound", playSound);
+  addCall(library, "mgCameraShake", [](script::Call& call, Obstacle& o) {
+    const float strength = call.real(1);
+    if (!call.failed()) o.room->shakeCamera(clampTo(strength, 0.0f, 1.0f));
+  });
+}
+
+void addParameterCalls(script::Library& library) {
+  addCall(library, "mgGetFloat", getNumber<false>);
+  addCall(library, "mgGetInt", getNumber<true>);
+  addCall(library, "mgGetBool", getBool);
+  addCall(library, "mgGetString", getString);
+  addCall(library, "mgGetColor", getColor);
+}
+
+void addTimeCalls(script::Library& library) {
+  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.room->ticks()) * rules::kTickSeconds); });
+  addCall(library, "mgObstacleTime", [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.ticks) * rules::kTickSeconds); });
+  addCall(library, "mgGetBeat", getBeat);
+}
+
+}  // namespace
+
+void addPlayCalls(script::Library& library) {
+  addCall(library, "mgScore", score);
+  addCall(library, "mgClear", clear);
+  addCall(library, "mgIsCleared", [](script::Call& call, Obstacle& o) { call.result(o.cleared); });
+  addCall(library, "mgCreateButton", createButton);
+  addCall(library, "mgIsButtonDown", isButtonDown);
+  addCall(library, "mgSetButtonDown", setButtonDown);
+  addCall(library, "mgLaser", laser);
+  addSoundCalls(library);
+  addParameterCalls(library);
+  addTimeCalls(library);
+  // Only seen or heard, and not shown yet: accepted so that the levels that use them play.
+  for (const char* name : {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgGlow", "mgSmoke", "mgBodyDecal"})
+    addCall(library, name, [](script::Call&, Obstacle&) {});
+}
+
+}  // namespace brittle::sim

@@ -1,0 +1,120 @@
+// game/sim/room.h - one room and its physics world. Its coordinates: the room's frame has its start at z = 0 and runs along -Z; the local
+// frame (of the world, of what is shown) is that plus (0, 0, shift), which keeps the camera near the origin. A room's state depends on its
+// content, its seed and what happens in it: not on where it lies, nor on what was played before it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/byte_stream.h"
+#include "engine/physics/world.h"
+#include "engine/replay/input_frame.h"
+#include "game/sim/ball.h"
+#include "game/sim/obstacle.h"
+#include "game/sim/room_plan.h"
+#include "game/sim/session.h"
+
+namespace brittle::sim {
+
+class Room {
+ public:
+  /// Runs the room's script. `globals` is what mgGet sees and mgSet changes while it runs.
+  Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::uint32_t slot);
+
+  /// One tick with the camera `distance` [m] from the room's start (negative: before it), moving at `speed` [m/s].
+  void tick(float distance, float speed);
+  void throwBalls(const Camera& camera, const replay::Throw& aim, int count);
+  /// Balls that have left through the end of the room, taken out of it; in the frame of the next room.
+  std::vector<BallStart> takeLeavingBalls();
+  void addBall(const BallStart& start);
+  /// Tests the camera's volume; a crash is scored, and what can break breaks.
+  void crashTest();
+
+  // What obstacles ask for.
+  physics::World& world() { return *world_; }
+  const physics::World& world() const { return *world_; }
+  Session& session() { return session_; }
+  const Viewpoint& viewpoint() const { return viewpoint_; }
+  float shift() const { return shift_; }
+  float gravity() const { return plan_.settings.gravity; }
+  std::uint32_t ticks() const { return ticks_; }
+  std::uint64_t seed() const { return seed_; }
+  Result<std::string> readScript(const std::string& path);
+  /// Whether the camera's volume fits along its line through what is left of the obstacle.
+  bool canPass(const Obstacle& obstacle) const;
+  void clearObstacle(Obstacle& obstacle);
+  void emit(Event event);
+  void shakeCamera(float strength) { shake_ = maxOf(shake_, strength); }
+
+  // Looking.
+  const RoomSettings& settings() const { return plan_.settings; }
+  const RoomEntry& entry() const { return entry_; }
+  std::uint64_t number() const { return number_; }
+  std::uint32_t slot() const { return slot_; }
+  float shake() const { return shake_; }
+  const std::vector<Ball>& balls() const { return balls_; }
+  /// Added to this room's local positions when it is shown in the frame of another: set by the track.
+  void setFrameOffset(const Vec3& offset) { frameOffset_ = offset; }
+  void copyView(RoomView& view, std::vector<BallView>& balls) const;
+
+  std::uint64_t stateHash() const;
+  void save(ByteWriter& out) const;
+  /// Into a room made of the same entry with the same globals.
+  bool restore(ByteReader& in);
+  /// The global strings as they were before its script ran.
+  const std::map<std::string, std::string>& globalsBefore() const { return globalsBefore_; }
+
+ private:
+  struct BuiltSegment {
+    physics::BodyHandle body;
+    bool built = false, dropped = false;
+    template <class Archive>
+    void serialize(Archive& a) {
+      a(body);
+      a(built);
+      a(dropped);
+    }
+  };
+
+  void updateShift(float distance);
+  void buildSegments(float distance);
+  void buildSegment(std::size_t index);
+  void startObstacles(float distance);
+  void readEvents();
+  void readBreak(const physics::BreakEvent& broken);
+  void readHit(const physics::HitEvent& hit);
+  void removeBehind();
+  void settleObstacles(const std::vector<std::uint32_t>& bodiesOf);
+  bool checkLasers() const;
+  bool blocks(physics::ShapeHandle shape) const;
+  void copyRopes(RoomView& view) const;
+  void copySegments(RoomView& view) const;
+  Obstacle* obstacleOf(std::uint32_t userData);
+  template <class Archive>
+  void serialize(Archive& a);
+
+  Session& session_;
+  const RoomEntry entry_;
+  std::uint64_t number_;
+  std::uint32_t slot_;
+  std::uint64_t seed_;
+  std::map<std::string, std::string> globalsBefore_;
+  RoomPlan plan_;
+  std::unique_ptr<physics::World> world_;
+
+  // State.
+  std::uint32_t ticks_ = 0;
+  float shift_ = 0.0f;                       // [m], a multiple of rules::kShiftEvery
+  float shake_ = 0.0f;
+  Viewpoint viewpoint_;
+  std::vector<BuiltSegment> built_;
+  std::vector<std::unique_ptr<Obstacle>> obstacles_;
+  std::vector<Ball> balls_;
+  std::uint32_t nextBall_ = 1;
+
+  Vec3 frameOffset_ = Vec3::Zero();
+};
+
+}  // namespace brittle::sim

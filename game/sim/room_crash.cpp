@@ -1,0 +1,71 @@
+// Does the camera fit? A geometric test of the camera's volume against what stands in the way, not a flag: a hole that was shot is a way.
+#include "game/sim/room.h"
+
+namespace brittle::sim {
+
+namespace {
+
+struct Obstruction {
+  physics::BodyHandle body;
+  std::uint32_t owner = 0;
+};
+
+}  // namespace
+
+bool Room::blocks(physics::ShapeHandle handle) const {
+  const physics::Shape& shape = world_->shape(handle);
+  const physics::Body& body = world_->body(shape.body);
+  if ((body.userData & kBallBit) != 0 || shape.surface.mask == 0) return false;
+  return !(body.isDynamic() && shape.isPiece && body.mass < rules::kCrashPieceMass);
+}
+
+bool Room::canPass(const Obstacle& obstacle) const {
+  Aabb bounds;
+  world_->forEachBody([&](physics::BodyHandle, const physics::Body& body) {
+    if (body.userData == obstacle.number) bounds.include(Aabb{body.center, body.center}.grownBy(body.radius));
+  });
+  if (bounds.isEmpty()) return true;
+  bool free = true;
+  for (float z = bounds.high.z(); free && z > bounds.low.z(); z -= 0.5f * rules::kCameraRadius) {
+    const Vec3 center(viewpoint_.position.x(), viewpoint_.position.y(), z);
+    world_->overlapSphere(center, rules::kCameraRadius, ~0u, [&](physics::ShapeHandle shape) {
+      free = !(world_->body(world_->bodyOf(shape)).userData == obstacle.number && blocks(shape));
+      return free;
+    });
+  }
+  return free;
+}
+
+void Room::crashTest() {
+  if (session_.score.free || !session_.score.canCrash()) return;
+  std::vector<Obstruction> found;
+  world_->overlapSphere(viewpoint_.position, rules::kCameraRadius, ~0u, [&](physics::ShapeHandle handle) {
+    if (!blocks(handle)) return true;
+    const physics::BodyHandle body = world_->bodyOf(handle);
+    const std::uint32_t owner = world_->body(body).userData;
+    const Obstacle* obstacle = obstacleOf(owner);
+    if (obstacle == nullptr || !obstacle->touched) found.push_back({body, owner});
+    return true;
+  });
+  const bool isBurnt = checkLasers();
+  if (found.empty() && !isBurnt) return;
+  Event event;
+  event.type = EventType::Crash;
+  event.point = viewpoint_.position;
+  event.speed = viewpoint_.speed;
+  event.value = session_.score.crash();
+  emit(event);
+  for (const Obstruction& obstruction : found) {
+    if (Obstacle* obstacle = obstacleOf(obstruction.owner)) obstacle->touched = true;
+    if (world_->isAlive(obstruction.body) && world_->body(obstruction.body).breakable)
+      world_->breakBody(obstruction.body, viewpoint_.position, -Vec3::UnitZ(), rules::kCrashSpeed, rules::kCameraRadius);
+  }
+}
+
+bool Room::checkLasers() const {
+  for (const std::unique_ptr<Obstacle>& obstacle : obstacles_)
+    if (obstacle->stage == Stage::Alive && obstacle->laser) return true;
+  return false;
+}
+
+}  // namespace brittle::sim

@@ -1,0 +1,129 @@
+// What a room makes of its world's events, and what it throws away: broken things, hit buttons, crystals, what fell or lies behind.
+#include <algorithm>
+
+#include "game/sim/room.h"
+
+namespace brittle::sim {
+
+Obstacle* Room::obstacleOf(std::uint32_t userData) {
+  return userData > 0 && userData <= obstacles_.size() ? obstacles_[userData - 1].get() : nullptr;
+}
+
+void Room::readEvents() {
+  for (const physics::BreakEvent& broken : world_->events().breaks) readBreak(broken);
+  for (const physics::HitEvent& hit : world_->events().hits) readHit(hit);
+  for (std::size_t i = 0; i < world_->events().quarantined.size(); ++i) ++session_.score.quarantined;
+}
+
+void Room::readBreak(const physics::BreakEvent& broken) {
+  Event event;
+  event.type = EventType::Break;
+  event.point = broken.point;
+  event.direction = broken.normal;
+  event.speed = broken.speed;
+  event.impulse = broken.impulse;
+  event.pieces = broken.pieces;
+  ++session_.score.breaks;
+  Obstacle* obstacle = obstacleOf(broken.userData);
+  if (obstacle != nullptr) {
+    for (ScriptBody& body : obstacle->bodies) {
+      if (body.assembly != broken.assembly) continue;
+      ++body.breaks;
+      event.look = body.look;
+      event.size = static_cast<float>(power(body.volume, 1.0 / 3.0));
+      break;
+    }
+  }
+  emit(event);
+  if (obstacle == nullptr || obstacle->crystal == 0 || obstacle->crystalDone) return;
+  obstacle->crystalDone = true;
+  const int before = session_.score.ballsPerThrow();
+  session_.score.winCrystal(obstacle->crystal, session_.ballCap());
+  event.type = EventType::Crystal;
+  event.value = obstacle->crystal;
+  emit(event);
+  if (session_.score.ballsPerThrow() == before) return;
+  event.type = EventType::Multiball;
+  event.value = session_.score.ballsPerThrow();
+  emit(event);
+}
+
+void Room::readHit(const physics::HitEvent& hit) {
+  Event event;
+  event.type = EventType::Hit;
+  event.point = hit.point;
+  event.direction = hit.normal;
+  event.speed = hit.speed;
+  event.impulse = hit.impulse;
+  event.look = Look::Static;
+  bool byBall = false;
+  for (const physics::BodyHandle handle : {hit.a, hit.b}) {
+    if (!world_->isAlive(handle)) continue;
+    const physics::Body& body = world_->body(handle);
+    byBall = byBall || (body.userData & kBallBit) != 0;
+    if (Obstacle* obstacle = obstacleOf(body.userData)) {
+      for (const ScriptBody& made : obstacle->bodies)
+        if (made.assembly == body.assembly) event.look = made.look;
+      for (ScriptButton& button : obstacle->buttons) {
+        const bool isThis = obstacle->bodies[button.body - 1].handle == handle;
+        if (isThis && (world_->body(hit.a).userData & kBallBit) + (world_->body(hit.b).userData & kBallBit) != 0) {
+          button.justPressed = !button.down;
+          button.down = true;
+        }
+      }
+    }
+  }
+  event.value = byBall ? 1 : 0;
+  emit(event);
+}
+
+void Room::removeBehind() {
+  const float behind = viewpoint_.position.z() + rules::kBehindCamera;
+  std::vector<physics::BodyHandle> doomed;
+  std::vector<std::uint32_t> bodiesOf(obstacles_.size() + 1, 0);
+  world_->forEachBody([&](physics::BodyHandle handle, const physics::Body& body) {
+    if (body.userData == 0) return;  // of a segment
+    const bool fell = body.type != physics::BodyType::Static && body.center.y() + body.radius < rules::kFallDepth;
+    if (fell || body.center.z() - body.radius > behind) {
+      doomed.push_back(handle);
+    } else if (body.userData < bodiesOf.size()) {
+      ++bodiesOf[body.userData];
+    }
+  });
+  for (const physics::BodyHandle handle : doomed) world_->destroyBody(handle);
+  balls_.erase(std::remove_if(balls_.begin(), balls_.end(), [this](const Ball& ball) { return !world_->isAlive(ball.body); }),
+               balls_.end());
+  settleObstacles(bodiesOf);
+}
+
+void Room::settleObstacles(const std::vector<std::uint32_t>& bodiesOf) {
+  for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
+    if (obstacle->stage != Stage::Alive) continue;
+    const bool isBehind = obstacle->pose().position.z() > viewpoint_.position.z() + rules::kBehindCamera;
+    if (obstacle->crystal > 0 && !obstacle->crystalDone && isBehind) {
+      obstacle->crystalDone = true;
+      session_.score.missCrystal();
+      Event event;
+      event.type = EventType::CrystalMissed;
+      event.look = Look::Crystal;
+      event.point = obstacle->pose().position;
+      emit(event);
+    }
+    if (!isBehind || bodiesOf[obstacle->number] > 0) continue;
+    obstacle->stage = Stage::Gone;
+    obstacle->script.reset();
+    obstacle->beams.clear();
+  }
+}
+
+void Room::clearObstacle(Obstacle& obstacle) {
+  if (obstacle.cleared) return;
+  obstacle.cleared = true;
+  Event event;
+  event.type = EventType::Cleared;
+  event.point = obstacle.pose().position;
+  event.value = static_cast<std::int32_t>(session_.score.cleared++ % rules::kClearedNotes);
+  emit(event);
+}
+
+}  // namespace brittle::sim

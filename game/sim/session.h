@@ -1,0 +1,57 @@
+// game/sim/session.h - what the rooms of one game share: the assets, the definition, and where events, problems and demands go.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/effects/effect_set.h"
+#include "game/sim/constants.h"
+#include "game/sim/content_reader.h"
+#include "game/sim/event.h"
+#include "game/sim/game.h"
+#include "game/sim/score.h"
+
+namespace brittle::sim {
+
+/// Where the camera is, in the local frame of the room that is asked.
+struct Viewpoint {
+  Vec3 position = Vec3(0.0f, rules::kCameraHeight, 0.0f);  // [m]
+  float speed = 0.0f;                                      // along -Z [m/s]
+};
+
+struct Session {
+  Session(const content::AssetSource& assets, const GameDef& gameDef) : files(assets), def(gameDef) { takeFileProblems(); }
+
+  ContentReader files;
+  GameDef def;
+  Score score;
+  std::uint64_t tick = 0;
+  std::vector<Event> events;                    // of this tick
+  std::vector<Problem> problems;                // each text once
+  std::set<std::string> reported;
+  effects::EffectSet effects;
+  std::vector<std::string> soundNames;
+  std::map<std::string, std::string> globals;   // of mgGet and mgSet
+
+  int ballCap() const { return def.mode == Mode::Training ? rules::kTrainingBallCap : 999; }
+  void report(const std::string& text) {
+    if (reported.size() >= rules::kMaxProblems || !reported.insert(text).second) return;
+    problems.push_back({text, tick});
+  }
+  void takeFileProblems() {
+    for (const std::string& text : files.takeProblems()) report(text);
+  }
+  /// The index of a sound's name, new or known.
+  int soundIndex(const std::string& name) {
+    for (std::size_t i = 0; i < soundNames.size(); ++i)
+      if (soundNames[i] == name) return static_cast<int>(i);
+    if (soundNames.size() >= 256) return 0;
+    soundNames.push_back(name);
+    return static_cast<int>(soundNames.size()) - 1;
+  }
+};
+
+}  // namespace brittle::sim
