@@ -1,0 +1,116 @@
+#include "game/content/asset_source.h"
+
+#include <filesystem>
+#include <fstream>
+#include <zlib.h>
+
+namespace brittle::content {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSuffixes[] = {"", ".mp3", ".gz", ".gz.mp3"};
+
+/// Links may lead anywhere: what a name resolves to must lie in the folder itself.
+bool liesWithin(const fs::path& path, const fs::path& folder) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  if (failed) return false;
+  const fs::path root = fs::canonical(folder, failed);
+  if (failed) return false;
+  const fs::path relative = real.lexically_relative(root);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+bool isSafeName(const std::string& name) {
+  if (name.empty() || name.size() > 1000 || name.front() == '/') return false;
+  for (const char c : name)
+    if (c == '\\' || c == ':' || static_cast<unsigned char>(c) < 32) return false;
+  std::size_t start = 0;
+  while (start <= name.size()) {
+    const std::size_t end = name.find('/', start);
+    const std::string part = name.substr(start, end == std::string::npos ? end : end - start);
+    if (part.empty() || part == "." || part == "..") return false;
+    if (end == std::string::npos) break;
+    start = end + 1;
+  }
+  return true;
+}
+
+Result<std::string> unpacked(const std::string& bytes) {
+  const bool isGzip = bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
+  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' && (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
+  if (!isGzip && !isZlib) return bytes;
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 32) != Z_OK) return Error{"cannot start to unpack"};
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string out;
+  char block[16384];
+  int status = Z_OK;
+  while (status == Z_OK && out.size() <= kLongestFile) {
+    stream.next_out = reinterpret_cast<Bytef*>(block);
+    stream.avail_out = sizeof(block);
+    status = inflate(&stream, Z_NO_FLUSH);
+    out.append(block, sizeof(block) - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  if (out.size() > kLongestFile) return Error{"longer than " + std::to_string(kLongestFile) + " bytes once unpacked"};
+  if (status != Z_STREAM_END) return Error{"a damaged or cut archive"};
+  return out;
+}
+
+std::string AssetSource::storedName(const std::string& name) const {
+  if (!isSafeName(name)) return {};
+  for (const char* suffix : kSuffixes)
+    if (contains(name + suffix)) return name + suffix;
+  return {};
+}
+
+bool AssetSource::has(const std::string& name) const { return !storedName(name).empty(); }
+
+Result<std::string> AssetSource::read(const std::string& name) const {
+  const std::string stored = storedName(name);
+  if (stored.empty()) return errorAt(name, 0, isSafeName(name) ? "there is no such file" : "this name leads out of the assets");
+  const std::optional<std::string> raw = bytes(stored);
+  if (!raw) return errorAt(stored, 0, "cannot be read, or is longer than " + std::to_string(kLongestFile) + " bytes");
+  Result<std::string> contents = unpacked(*raw);
+  if (!contents) return errorAt(stored, 0, contents.error().message);
+  return contents;
+}
+
+std::string FolderSource::pathOf(const std::string& stored) const {
+  for (const std::string& folder : folders_) {
+    std::error_code failed;
+    const fs::path path = fs::path(folder) / stored;
+    if (fs::is_regular_file(path, failed) && liesWithin(path, folder)) return path.string();
+  }
+  return {};
+}
+
+bool FolderSource::contains(const std::string& stored) const { return !pathOf(stored).empty(); }
+
+std::optional<std::string> FolderSource::bytes(const std::string& stored) const {
+  const std::string path = pathOf(stored);
+  return path.empty() ? std::nullopt : readFile(path);
+}
+
+std::optional<std::string> MemorySource::bytes(const std::string& stored) const {
+  const auto found = files_.find(stored);
+  return found == files_.end() ? std::nullopt : std::optional<std::string>(found->second);
+}
+
+std::optional<std::string> readFile(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string contents;
+  char block[65536];
+  while (in.read(block, sizeof(block)) || in.gcount() > 0) {
+    contents.append(block, static_cast<std::size_t>(in.gcount()));
+    if (contents.size() > kLongestFile) return std::nullopt;
+  }
+  return in.eof() ? std::optional<std::string>(std::move(contents)) : std::nullopt;
+}
+
+}  // namespace brittle::content

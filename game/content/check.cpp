@@ -1,0 +1,225 @@
+#include "game/content/check.h"
+
+#include "engine/script/rewrite.h"
+#include "engine/script/sandbox.h"
+#include "game/content/asset_source.h"
+#include "game/content/level.h"
+#include "game/content/material.h"
+#include "game/content/script_names.h"
+#include "game/content/segment.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+namespace brittle::content {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFiles = 100000;
+constexpr int kMostParents = 20;
+
+bool endsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+/// The name without what the store adds to it: .mp3, .gz.
+std::string bareName(std::string name) {
+  for (const std::string_view suffix : {".mp3", ".gz"})
+    if (endsWith(name, suffix)) name.resize(name.size() - suffix.size());
+  return name;
+}
+
+/// The name of the first element of an XML text; empty if there is none.
+std::string firstElement(const std::string& text) {
+  std::size_t at = 0;
+  while ((at = text.find('<', at)) != std::string::npos) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = text.find("-->", at);
+      if (at == std::string::npos) break;
+      continue;
+    }
+    const std::size_t end = text.find_first_of(" \t\r\n/>", ++at);
+    if (text[at] != '?' && text[at] != '!') return text.substr(at, end == std::string::npos ? end : end - at);
+  }
+  return {};
+}
+
+class Checker {
+ public:
+  CheckReport run(const std::string& path) {
+    std::error_code failed;
+    findRoot(path);
+    if (fs::is_directory(path, failed)) {
+      for (const std::string& file : filesIn(path)) checkFile(file);
+    } else {
+      checkFile(path);
+    }
+    return std::move(report_);
+  }
+
+ private:
+  void problem(const std::string& file, int line, std::string what, std::string value = {}, std::string expected = {}) {
+    report_.problems.push_back({file, line, std::move(what), std::move(value), std::move(expected)});
+  }
+
+  void take(Problems& problems) {
+    std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    for (Problem& one : problems)
+      if (listed_.insert(one.text()).second) report_.problems.push_back(std::move(one));  // one of a template may come up in many files
+  }
+
+  std::vector<std::string> filesIn(const std::string& folder) {
+    std::vector<std::string> files;
+    std::error_code failed;
+    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
+    for (; !failed && at != fs::recursive_directory_iterator(); at.increment(failed)) {
+      std::error_code none;
+      if (at->is_regular_file(none) && !at->is_symlink(none)) files.push_back(at->path().string());
+      if (static_cast<int>(files.size()) < kMostFiles) continue;
+      problem(folder, 0, "too many files: the rest is not read", {}, "up to " + std::to_string(kMostFiles));
+      break;
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  /// The asset folder around the path, or directly in it, and its templates.
+  void findRoot(const std::string& path) {
+    std::error_code failed;
+    fs::path folder = fs::absolute(path, failed).lexically_normal();
+    for (const fs::path& inside : {folder, folder / "assets"})
+      if (isRoot(inside)) return useRoot(inside);
+    for (int i = 0; i < kMostParents && folder.has_relative_path(); ++i) {
+      folder = folder.parent_path();
+      if (isRoot(folder)) return useRoot(folder);
+    }
+  }
+
+  static bool isRoot(const fs::path& folder) {
+    std::error_code failed;
+    return FolderSource({folder.string()}).has("templates.xml") || fs::is_directory(folder / "levels", failed) ||
+           fs::is_directory(folder / "segments", failed);
+  }
+
+  void useRoot(const fs::path& folder) {
+    root_.emplace(std::vector<std::string>{folder.string()});
+    const Result<std::string> text = root_->read("templates.xml");
+    if (text) templates_ = readTemplates(*text, (folder / root_->storedName("templates.xml")).lexically_relative(fs::current_path()).string());
+  }
+
+  void checkFile(const std::string& path) {
+    const std::string name = bareName(path);
+    if (!endsWith(name, ".xml") && !endsWith(name, ".lua")) {
+      ++report_.skipped;
+      return;
+    }
+    const std::optional<std::string> raw = readFile(path);
+    if (!raw) return problem(path, 0, "cannot be read, or is too long", {}, "up to " + std::to_string(kLongestFile) + " bytes");
+    const Result<std::string> text = unpacked(*raw);
+    if (!text) return problem(path, 0, text.error().message);
+    if (endsWith(name, ".lua")) {
+      checkScript(path, *text);
+    } else {
+      checkXml(path, *text);
+    }
+  }
+
+  void checkXml(const std::string& path, const std::string& text) {
+    const std::string kind = firstElement(text);
+    if (kind == "segment") return checkSegment(path, text);
+    if (kind == "level") return checkLevel(path, text);
+    if (kind == "templates") {
+      ++report_.templates;
+      TemplateSet set = readTemplates(text, path);
+      return take(set.problems);
+    }
+    if (kind == "game") {
+      ++report_.gameLists;
+      GameList list = readGameList(text, path);
+      checkReferences(list);
+      return take(list.problems);
+    }
+    if (kind == "materials") {
+      ++report_.materials;
+      MaterialTable table = readMaterials(text, path);
+      return take(table.problems);
+    }
+    if (kind.empty()) return problem(path, 0, "there is no element in this file");
+    ++report_.skipped;
+  }
+
+  void checkSegment(const std::string& path, const std::string& text) {
+    ++report_.segments;
+    Segment segment = readSegment(text, path, templates_);
+    report_.boxes += static_cast<int>(segment.boxes.size());
+    report_.obstacles += static_cast<int>(segment.obstacles.size());
+    take(segment.problems);
+  }
+
+  void checkLevel(const std::string& path, const std::string& text) {
+    ++report_.levels;
+    Level level = readLevel(text, path);
+    report_.rooms += static_cast<int>(level.rooms.size());
+    for (const Room& room : level.rooms)
+      if (root_ && !root_->has("rooms/" + room.type + ".lua"))
+        level.problems.push_back({path, room.line, "the room has no script", room.type, "a file rooms/" + room.type + ".lua"});
+    take(level.problems);
+  }
+
+  void checkReferences(GameList& list) {
+    for (const LevelEntry& entry : list.levels)
+      if (root_ && !root_->has("levels/" + entry.name + ".xml"))
+        list.problems.push_back({list.file, entry.line, "there is no such level", entry.name, "a file levels/" + entry.name + ".xml"});
+  }
+
+  void checkScript(const std::string& path, const std::string& text) {
+    ++report_.scripts;
+    const Status status = script::checkSyntax(text, path);
+    if (!status) {
+      const std::string& message = status.error().message;  // "path:line: what"
+      const int line = message.compare(0, path.size() + 1, path + ":") == 0 ? std::atoi(message.c_str() + path.size() + 1) : 0;
+      const std::size_t what = message.find(": ", std::min(path.size() + 1, message.size()));
+      return problem(path, line, what == std::string::npos ? message : message.substr(what + 2));
+    }
+    checkCalls(path, text);
+  }
+
+  /// Calls of mg... functions that nobody defines: neither the game nor this script.
+  void checkCalls(const std::string& path, const std::string& text) {
+    const script::Tokens tokens = script::tokenize(text);
+    std::set<std::string_view> defined;
+    for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i) {
+      const bool isFunction = tokens.all[i].text == "function" && tokens.all[i + 1].kind == script::TokenKind::Name;
+      if (isFunction) defined.insert(tokens.all[i + 1].text);
+      if (tokens.all[i].kind == script::TokenKind::Name && tokens.all[i + 1].text == "=") defined.insert(tokens.all[i].text);
+    }
+    for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i) {
+      const script::Token& token = tokens.all[i];
+      const bool isField = i > 0 && (tokens.all[i - 1].text == "." || tokens.all[i - 1].text == ":" || tokens.all[i - 1].text == "function");
+      if (token.kind != script::TokenKind::Name || token.text.substr(0, 2) != "mg" || tokens.all[i + 1].text != "(" || isField) continue;
+      if (isScriptCall(token.text) || defined.count(token.text) != 0) continue;
+      problem(path, token.line, "unknown function", std::string(token.text), nearestScriptCall(token.text));
+    }
+  }
+
+  CheckReport report_;
+  std::optional<FolderSource> root_;
+  TemplateSet templates_;
+  std::set<std::string> listed_;
+};
+
+}  // namespace
+
+CheckReport checkPath(const std::string& path) {
+  std::error_code failed;
+  if (fs::exists(path, failed)) return Checker().run(path);
+  CheckReport report;
+  report.problems.push_back({path, 0, "there is no such file or folder", {}, {}});
+  return report;
+}
+
+}  // namespace brittle::content
