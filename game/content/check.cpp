@@ -29,7 +29,7 @@ bool endsWith(std::string_view text, std::string_view end) {
 /// The name without what the store adds to it: .mp3, .gz.
 std::string bareName(std::string name) {
   for (const std::string_view suffix : {".mp3", ".gz"})
-    if (endsWith(name, suffix)) name.resize(name.size() - suffix.size());
+    if (endsWith(name, suffix)) name.erase(name.size() - suffix.size());
   return name;
 }
 
