@@ -45,7 +45,7 @@ struct Fracturer::Scratch {
   DisjointSets sets;
   SharedFaceFinder finder;
   std::vector<SharedFace> shared;
-  std::vector<std::uint32_t> groupOfSet;
+  std::vector<std::uint32_t> groupOfSet, placeOfPart;
 
   void begin(std::span<const Part> parts);
   void breakAt(const Impact& impact, const FractureMaterial& material, std::uint64_t seed, std::size_t index);
@@ -55,6 +55,7 @@ struct Fracturer::Scratch {
   void shatterEvenly(const DiceShape& shape, std::uint32_t count, Random& random);
   void diceAll(const Impact& impact, const FractureMaterial& material, std::uint64_t seed);
   void openAWay(const Impact& impact, const FractureMaterial& material, std::uint64_t seed);
+  void sortByPart();
   void makePieces(const FractureMaterial& material, float slop);
   bool isAnchored(const Chunk& chunk, float slop);
   void makeGroups(float slop);
@@ -175,16 +176,20 @@ void Fracturer::Scratch::openAWay(const Impact& impact, const FractureMaterial& 
   }
 }
 
-/// Chunks become pieces or crumbs: by part, what remains first, both in cutting order.
+/// Fills `chunks`: by part, what remains first, both in cutting order.
+void Fracturer::Scratch::sortByPart() {
+  placeOfPart.assign(store.parts().size() + 1, 0);
+  for (const Chunk& chunk : carving.remains) ++placeOfPart[chunk.part + 1];
+  for (const Chunk& chunk : shattered) ++placeOfPart[chunk.part + 1];
+  for (std::size_t i = 1; i < placeOfPart.size(); ++i) placeOfPart[i] += placeOfPart[i - 1];
+  chunks.resize(carving.remains.size() + shattered.size());
+  for (const Chunk& chunk : carving.remains) chunks[placeOfPart[chunk.part]++] = chunk;
+  for (const Chunk& chunk : shattered) chunks[placeOfPart[chunk.part]++] = chunk;
+}
+
+/// Chunks become pieces or crumbs.
 void Fracturer::Scratch::makePieces(const FractureMaterial& material, float slop) {
-  chunks.clear();
-  for (std::uint32_t part = 0; part < store.parts().size(); ++part) {
-    for (const std::vector<Chunk>* list : {&carving.remains, &shattered}) {
-      for (const Chunk& chunk : *list) {
-        if (chunk.part == part) chunks.push_back(chunk);
-      }
-    }
-  }
+  sortByPart();
   std::size_t kept = 0;
   for (const Chunk& chunk : chunks) {
     const geometry::MassProperties mass = geometry::massOf<float>(store.view(chunk));

@@ -17,10 +17,11 @@ namespace brittle::fracture {
 
 /// Where and how it was hit, in the compound's local frame.
 struct Impact {
-  Vec3 point = Vec3::Zero();           // where the striker's centre line meets the body [m]; outside: the nearest point is struck
+  Vec3 point = Vec3::Zero();           // contact: where the cracks run from [m]; outside the body: the nearest point of it
   Vec3 direction = -Vec3::UnitZ();     // unit, the way the striker goes, relative to the compound
   float speed = 0.0f;                  // [m/s], along `direction`
   float strikerRadius = 0.0f;          // bounding radius of the striker across `direction` [m]; the hole lets it through
+  Vec3 toCenter = Vec3::Zero();        // from `point` to any point of the line on which the striker's centre goes [m]
 };
 
 /// Where a part touches static geometry: the corners of the contact area, a convex polygon in the compound's frame. One or two

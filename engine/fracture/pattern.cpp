@@ -11,6 +11,7 @@ namespace {
 constexpr float kTurn = 2.0f * kPi;
 constexpr float kClearance = 1.05f;      // how much wider than the striker's shadow the way through it is [-]
 // All of these by eye, from pictures of the pattern.
+constexpr float kEndShare = 0.5f;        // the hole ends so far beyond the sheet, of the radius [-]
 constexpr float kThinRim = 0.12f;        // least depth beyond a wall, of the radius [-]
 constexpr float kThinShard = 0.035f;     // least depth beside a crack, of the radius [-]
 constexpr float kWidestCore = 1.45f;     // a wedge at the centre that is wider splits before its first ring [rad]
@@ -135,6 +136,10 @@ std::uint32_t wallAt(std::uint32_t position, std::uint32_t count) {
 
 Cell sheetCell(const Strike& strike, Random& random) {
   Cell cell;
+  // What lies beyond the sheet belongs to another pane of the body: the far side of a glass box stays.
+  const float end = 0.5f * strike.thickness + kEndShare * strike.radius;
+  cell.walls[cell.count++] = {strike.normal, strike.middle + end};
+  cell.walls[cell.count++] = {-strike.normal, end - strike.middle};
   const std::uint32_t count = kMinWalls + random.nextBelow(kMaxWalls - kMinWalls + 1);
   const float sector = kTurn / static_cast<float>(count);
   const float start = random.nextFloat(0.0f, kTurn);
@@ -145,7 +150,7 @@ Cell sheetCell(const Strike& strike, Random& random) {
     const float wanted = strike.radius * random.nextFloat(0.8f, 1.12f);
     walls[i] = planeThrough(strike.center + outward * maxOf(wanted, clearDistance(strike, outward)), outward);
   }
-  for (std::uint32_t position = 0; cell.count < count; ++position) {
+  for (std::uint32_t position = 0; cell.count < count + 2; ++position) {
     const std::uint32_t index = wallAt(position, count);
     if (index < count) cell.walls[cell.count++] = walls[index];
   }

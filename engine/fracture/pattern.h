@@ -10,17 +10,17 @@
 
 namespace brittle::fracture {
 
-inline constexpr std::uint32_t kMinWalls = 8, kMaxWalls = 14;
+inline constexpr std::uint32_t kMinWalls = 8, kMaxWalls = 14;  // a sheet's cell has two more: its ends
 
 /// A convex volume: below all its planes.
 struct Cell {
-  Plane walls[kMaxWalls];
+  Plane walls[kMaxWalls + 2];
   std::uint32_t count = 0;
   float minDepth = 0.0f;  // a wall that would leave less than this beyond it [m] is left out: no thin rims
 };
 
-/// The hole in a sheet: an irregular polygonal cylinder along the sheet's normal about the strike's centre, with the radius
-/// strike's radius give or take a fifth. Whatever the slant, the striker fits through.
+/// The hole in a sheet: an irregular polygonal cylinder along the sheet's normal about the strike's centre, with the strike's
+/// radius give or take a fifth. Whatever the slant, the striker fits through. walls[0] and walls[1] are its ends, beyond the sheet.
 Cell sheetCell(const Strike& strike, Random& random);
 
 /// True if all of the convex is clear of the striker's way through the sheet and far enough from the centre to stay in the rim.

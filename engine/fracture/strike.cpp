@@ -132,8 +132,9 @@ Strike strikeOf(std::span<const Part> parts, const Impact& impact, const Fractur
   const float grown = material.carveRadius * std::sqrt(maxOf(impact.speed, 0.0f) / kReferenceSpeed);
   strike.radius = maxOf(kHoleWidening * strike.strikerRadius + kHoleMargin, grown);
   findSheet(parts, strike);
-  const float toMiddle = strike.middle - strike.normal.dot(impact.point);
-  strike.passage = impact.point + strike.direction * (toMiddle / slantCosine(strike));
+  const Vec3 onPath = impact.point + impact.toCenter;
+  const float toMiddle = strike.middle - strike.normal.dot(onPath);
+  strike.passage = onPath + strike.direction * (toMiddle / slantCosine(strike));
   // With the slant limited the point just found is off the middle plane: only its place within the sheet counts.
   strike.passage += strike.normal * (strike.middle - strike.normal.dot(strike.passage));
   return strike;

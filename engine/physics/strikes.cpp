@@ -309,6 +309,7 @@ fracture::Impact impactOf(const State& state, const Strike& strike) {
   const Vec3 normal = state.shapes[contact.a].body == strike.struck ? Vec3(-contact.manifold.normal) : contact.manifold.normal;
   fracture::Impact impact;
   impact.point = struck.pose.toLocal(strike.point);
+  if (body.type != BodyType::Static) impact.toCenter = struck.pose.toLocal(body.center) - impact.point;
   impact.direction = struck.pose.unrotate(normalizedOr(strike.relativeVelocity, normal));
   impact.speed = strike.relativeVelocity.norm();
   impact.strikerRadius = body.type == BodyType::Static ? 0.0f : minOf(body.radius, struck.radius);

@@ -91,6 +91,7 @@ struct Held {
     a(impact.direction);
     a(impact.speed);
     a(impact.strikerRadius);
+    a(impact.toCenter);
     a(impulse);
   }
 };

@@ -111,14 +111,34 @@ TEST(Carve, TheHoleLetsTheStrikerThroughWhateverTheSlant) {
     const float slant = random.nextFloat(0.0f, 1.0472f);
     const float turn = random.nextFloat(0.0f, 6.2832f);
     impact.direction = Vec3(sine(slant) * cosine(turn), sine(slant) * sine(turn), -cosine(slant));
+    // A ball touches beside the line on which its centre goes.
+    impact.toCenter = Vec3::UnitZ() * (seed % 5 < 3 ? impact.strikerRadius : 0.0f);
     const Fracture& made = fracturer.fracture(scene.parts, {&impact, 1}, material, kSlop, seed);
     for (const Piece& piece : made.pieces) {
       const bool stays = !piece.isFragment || made.groups[piece.group].keepsBody;
       if (!stays) continue;
-      EXPECT_GE(distanceFromLine(viewOf(scene, made, piece), impact.point, impact.direction), impact.strikerRadius)
+      EXPECT_GE(distanceFromLine(viewOf(scene, made, piece), impact.point + impact.toCenter, impact.direction),
+                impact.strikerRadius)
           << "seed " << seed;
     }
   }
+}
+
+TEST(Carve, OnlyTheSideThatIsHitBreaks) {
+  Scene scene;  // a glass box of six panes
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-0.5f, 0.5f}) {
+      Vec3 half = Vec3::Constant(0.49f), center = Vec3::Zero();
+      half[axis] = 0.01f;
+      center[axis] = side;
+      scene.addBox(half, center);
+    }
+  }
+  const Impact impact = straightAt({0.0f, 0.0f, 0.51f});
+  Fracturer fracturer;
+  const Fracture& made = fracturer.fracture(scene.parts, {&impact, 1}, {}, kSlop, 1);
+  expectSound(scene, made);
+  for (const Piece& piece : made.pieces) EXPECT_EQ(piece.isWhole, piece.source != 105);
 }
 
 TEST(Carve, AVolumeThatMissesLeavesThePartWhole) {

@@ -212,6 +212,25 @@ TEST(Fracture, AlwaysOpensAWay) {
   }
 }
 
+TEST(Fracture, BreaksWhatIsNearestWhenNothingCanBeCarved) {
+  // Two rods, so long that a slice as thin as the hole cannot be cut out of them.
+  Scene scene;
+  scene.addBox({500.0f, 0.0005f, 0.0005f}, Vec3::Zero());
+  scene.addBox({500.0f, 0.0005f, 0.0005f}, {0.0f, 0.0f, 0.1f});
+  FractureMaterial material;
+  material.carveRadius = 0.0f;
+  const Impact impact{{3.0f, 0.0f, 0.1f}, -Vec3::UnitZ(), 10.0f, 0.0f, Vec3::Zero()};
+  Fracturer fracturer;
+  const Fracture& made = fracturer.fracture(scene.parts, {&impact, 1}, material, kSlop, 1);
+  EXPECT_GT(made.refusedCuts, 0u);
+  std::size_t count = 0;
+  for (const Piece& piece : made.pieces) {
+    EXPECT_EQ(piece.isFragment, piece.source == 101) << "the part that was hit, and it alone";
+    count += piece.isFragment ? 1 : 0;
+  }
+  EXPECT_GT(count, 0u);
+}
+
 TEST(Fracture, BreaksItsOwnPiecesAgainAndAgain) {
   Scene scene = pane();
   Fracturer fracturer;

@@ -69,12 +69,14 @@ TEST(Pattern, SheetCellsAreClosedAroundTheStrikerWhateverTheSlant) {
     const Strike strike = strikeOf(scene.parts, impact, {});
     const Cell cell = sheetCell(strike, random);
     ASSERT_GE(cell.count, kMinWalls);
-    for (std::uint32_t i = 0; i < cell.count; ++i) {
+    EXPECT_LT(cell.walls[0].distance(Vec3(0.0f, 0.0f, 0.01f)), 0.0f);
+    EXPECT_LT(cell.walls[1].distance(Vec3(0.0f, 0.0f, 0.01f)), 0.0f);
+    for (std::uint32_t i = 2; i < cell.count; ++i) {
       EXPECT_NEAR(cell.walls[i].normal.dot(strike.normal), 0.0f, 1e-6f);
       EXPECT_LE(cell.walls[i].distance(strike.passage) + reachWithinSheet(strike, 0.06f, cell.walls[i].normal), 1e-6f);
       // Neighbouring walls turn by less than a right angle somewhere on both sides: the polygon is closed.
       float leastTurn = 4.0f;
-      for (std::uint32_t k = 0; k < cell.count; ++k) {
+      for (std::uint32_t k = 2; k < cell.count; ++k) {
         const float turn = arcTangent(cell.walls[i].normal.cross(cell.walls[k].normal).dot(strike.normal),
                                       cell.walls[i].normal.dot(cell.walls[k].normal));
         if (k != i && turn > 0.0f) leastTurn = minOf(leastTurn, turn);
