@@ -36,21 +36,22 @@ void readColors(const Attributes& attributes, std::array<Vec3, 3>& color) {
 
 /// One number for all pairs of faces or one each, within [low, high]; whole numbers if `whole`.
 template <class T>
-void readPerFace(const Attributes& attributes, const char* name, double low, double high, bool whole, std::array<T, 3>& out) {
+void readPerFace(const Attributes& attributes, const char* name, double low, double high, bool whole, const char* expected,
+                 std::array<T, 3>& out) {
   std::vector<double> values;
   if (attributes.numbers(name, {1, 3}, values) != Found::Good) return;
   for (const double value : values)
     if (!(value >= low && value <= high) || (whole && value != std::floor(value)))
-      return attributes.reportAt(name, "the value is out of range", whole ? "whole numbers of the range" : "positive numbers");
+      return attributes.reportAt(name, name, expected);
   for (std::size_t face = 0; face < 3; ++face) out[face] = static_cast<T>(values[values.size() == 3 ? face : 0]);
 }
 
 void readTiles(const Attributes& attributes, Box& box) {
-  readPerFace(attributes, "tile", 0, 63, true, box.tile);
+  readPerFace(attributes, "tile", 0, 63, true, "whole numbers, 0 to 63", box.tile);
   const char* names[] = {"tileX", "tileY", "tileZ"};
   for (std::size_t face = 0; face < 3; ++face) attributes.whole(names[face], 0, 63, box.tile[face]);
-  readPerFace(attributes, "tileSize", 0.01, 1000.0, false, box.tileSize);
-  readPerFace(attributes, "tileRot", -1000, 1000, true, box.tileRotation);
+  readPerFace(attributes, "tileSize", 0.01, 1000.0, false, "0.01 to 1000", box.tileSize);
+  readPerFace(attributes, "tileRot", -1000, 1000, true, "whole numbers", box.tileRotation);
   for (int& turns : box.tileRotation) turns = (turns % 4 + 4) % 4;
 }
 

@@ -27,6 +27,12 @@ std::string rangeText(double low, double high) {
   return show(low) + " to " + show(high);
 }
 
+/// Whether the tag that `offset` lies in closes `name`.
+bool closesAt(const std::string& text, std::size_t offset, const std::string& name) {
+  const std::size_t tag = text.rfind("</", offset);
+  return tag != std::string::npos && text.compare(tag + 2, name.size(), name) == 0;
+}
+
 bool isSane(double value) { return value <= kLargestNumber && value >= -kLargestNumber; }
 
 }  // namespace
@@ -41,11 +47,8 @@ XmlFile::XmlFile(const std::string& text, const std::string& file, const char* r
     collect(pieces_.back(), root);
     if (result || result.status == pugi::status_no_document_element) break;
     const std::size_t offset = std::min(start + static_cast<std::size_t>(result.offset), text.size());
-    const std::string closing = std::string("</") + root;
     // what was read on its own ends with the root's closing tag, which it did not open
-    if (start > 0 && offset >= 2 && text.compare(text.rfind("</", offset), closing.size(), closing) == 0 &&
-        result.status == pugi::status_end_element_mismatch)
-      break;
+    if (start > 0 && result.status == pugi::status_end_element_mismatch && closesAt(text, offset, root)) break;
     report({file_, lineAt(offset), std::string("XML: ") + result.description(), {}, {}});
     const std::size_t next = text.find('<', std::max(offset, start + 1));
     if (next == std::string::npos) break;

@@ -1,0 +1,3 @@
+function init()
+	mgLength(160
+end

@@ -1,0 +1,57 @@
+#include "game/content/level.h"
+
+#include "content_helpers.h"
+
+#include <gmock/gmock.h>
+
+namespace brittle::content {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Level, RoomsAreReadWithAllTheirAttributes) {
+  const Level level = readLevel(dataFile("levels/yard.xml"), "l.xml");
+  ASSERT_EQ(level.rooms.size(), 4u);
+  EXPECT_EQ(level.rooms[0].type, "yard/first");
+  EXPECT_FLOAT_EQ(level.rooms[0].length, 300.0f);
+  EXPECT_TRUE(level.rooms[0].start);
+  EXPECT_FALSE(level.rooms[0].end);
+  EXPECT_EQ(level.rooms[0].attributes.at("rot"), "0.5");
+  EXPECT_FLOAT_EQ(level.rooms[1].length, 200.0f);  // called distance
+  EXPECT_TRUE(level.rooms[1].end);
+  EXPECT_EQ(level.rooms[1].line, 3);
+  EXPECT_FLOAT_EQ(level.rooms[2].length, 100.0f);
+  const std::string problems = listed(level.problems);
+  EXPECT_THAT(problems, HasSubstr("l.xml:4: <room> type is missing"));
+  EXPECT_THAT(problems, HasSubstr("l.xml:5: <room> length, got '-5', expected 0.001 to 1000000"));
+  EXPECT_THAT(problems, HasSubstr("l.xml:6: <room> length is missing: 100 is used"));
+  EXPECT_EQ(level.problems.size(), 3u);
+}
+
+TEST(Level, OnOneLineIsReadToo) {
+  const Level level = readLevel("<level>\t<room type=\"a\" length=\"1\"/>\t<room type=\"b\" length=\"2\"/></level>", "l.xml");
+  EXPECT_EQ(level.rooms.size(), 2u);
+  EXPECT_TRUE(level.problems.empty());
+}
+
+TEST(Level, WithoutRoomsIsAProblem) {
+  EXPECT_EQ(listed(readLevel("<level/>", "l.xml").problems), "l.xml:1: the level has no rooms\n");
+  EXPECT_THAT(listed(readLevel("", "l.xml").problems), HasSubstr("there is no <level> element"));
+}
+
+TEST(Level, CutOrChangedAnywhereItIsStillSound) {
+  forEachDamage(dataFile("levels/yard.xml"), [](const std::string& text) {
+    for (const Room& room : readLevel(text, "f.xml").rooms) ASSERT_TRUE(!room.type.empty() && room.length > 0.0f);
+  });
+}
+
+TEST(GameList, ListsLevels) {
+  const GameList list = readGameList(dataFile("game.xml"), "g.xml");
+  ASSERT_EQ(list.levels.size(), 2u);
+  EXPECT_EQ(list.levels[1].name, "nowhere");
+  EXPECT_EQ(list.levels[1].line, 3);
+  EXPECT_EQ(listed(list.problems), "g.xml:4: <level> name is missing: the level is left out\n");
+}
+
+}  // namespace
+}  // namespace brittle::content
