@@ -35,7 +35,7 @@ struct BakedMesh {
 };
 
 struct BakeDef {
-  FaceLight light;
+  FaceLight light = {};
   bool allFaces = false;   // also those a camera travelling along -Z near (0, 1) cannot see
   float occlusionReach = 2.5f;  // how far away something may be and still darken [m]
 };

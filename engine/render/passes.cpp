@@ -209,6 +209,7 @@ void Passes::composite(Target& target, const Vec4& tint, const Vec4& border) {
   set(gl_, compositeBorder_, border);
   gl_.BindVertexArray(empty_.name());
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  bindTexture(gl_, kUnitColor, 0);  // the next frame draws into it, and WebGL refuses that while a program could read it
   count(1);
 }
 

@@ -56,6 +56,7 @@ Target::Copy Target::makeCopy(GLenum format, GLenum attachment) const {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);  // it will be drawn into
   gl_.BindFramebuffer(GL_FRAMEBUFFER, copy.framebuffer.name());
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, copy.texture.name(), 0);
   return copy;
