@@ -6,7 +6,7 @@
 
 #include "engine/core/random.h"
 #include "engine/geometry/make.h"
-#include "engine/math/trig.h"
+#include "engine/math/transform.h"
 #include "tests/engine/fracture/scene.h"
 
 namespace brittle::fracture {
@@ -212,6 +212,58 @@ TEST(Carve, SliversAreCutOrRefusedButNeverLost) {
         EXPECT_NEAR(volume / scene.volume(), 1.0, 2e-6);
       }
     }
+  }
+}
+
+/// A box, cylinder or hull of a quarter to one metre, turned anyhow, that touches or overlaps its neighbours now and then.
+geometry::Convex randomConvex(Random& random) {
+  const auto vector = [&](float low, float high) {
+    Vec3 v;
+    for (int k = 0; k < 3; ++k) v[k] = random.nextFloat(low, high);
+    return v;
+  };
+  const std::uint32_t kind = random.nextBelow(3);
+  geometry::Convex convex;
+  if (kind == 0) convex = geometry::makeBox<float>(vector(0.02f, 0.4f));
+  if (kind == 1) {
+    const float radius = random.nextFloat(0.05f, 0.3f);
+    const float half = random.nextFloat(0.01f, 0.4f);
+    convex = geometry::makeCylinder(radius, half, static_cast<int>(3 + random.nextBelow(30)));
+  }
+  if (kind == 2) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 14; ++i) points.push_back(vector(-0.3f, 0.3f));
+    convex = geometry::makeHull(points).value();
+  }
+  const Vec3 angles = random.nextBelow(2) == 0 ? vector(-3.0f, 3.0f) : Vec3(Vec3::Zero());
+  return geometry::transformed(convex, rotationXyz(angles), vector(-0.5f, 0.5f));
+}
+
+TEST(Carve, RandomCompoundsStaySound) {
+  Fracturer fracturer;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed, 5);
+    Scene scene;
+    const std::uint32_t count = 1 + random.nextBelow(5);
+    for (std::uint32_t i = 0; i < count; ++i) scene.add(randomConvex(random), random.nextBelow(4) == 0);
+    FractureMaterial material;
+    material.pattern = static_cast<Pattern>(random.nextBelow(4));
+    material.carveRadius = random.nextFloat(0.01f, 0.5f);
+    material.dieSize = random.nextFloat(0.03f, 0.2f);
+    Impact impacts[3];
+    for (Impact& impact : impacts) {
+      for (int k = 0; k < 3; ++k) impact.point[k] = random.nextFloat(-0.8f, 0.8f);
+      for (int k = 0; k < 3; ++k) impact.direction[k] = random.nextFloat(-1.0f, 1.0f);
+      impact.direction = normalizedOr(impact.direction, Vec3::UnitX());
+      impact.speed = random.nextFloat(0.0f, 60.0f);
+      impact.strikerRadius = random.nextFloat(0.0f, 0.1f);
+    }
+    const Fracture& made = fracturer.fracture(scene.parts, {impacts, 1 + random.nextBelow(3)}, material, kSlop, seed);
+    expectSound(scene, made);
+    bool breaks = !made.crumbs.empty();
+    for (const Piece& piece : made.pieces) breaks = breaks || piece.isFragment;
+    EXPECT_TRUE(breaks);
   }
 }
 
