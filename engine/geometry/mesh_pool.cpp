@@ -1,6 +1,7 @@
 #include "engine/geometry/mesh_pool.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "engine/core/assert.h"
 
@@ -50,7 +51,9 @@ Range MeshPool::allocate(FreeList& list, std::vector<T>& storage, std::uint32_t 
     return {first, count};
   }
   const auto first = static_cast<std::uint32_t>(storage.size());
-  storage.resize(storage.size() + classSize(index));
+  T blank{};
+  if constexpr (std::is_same_v<T, Vertex>) blank.point = Vec3::Zero();  // unused ones are saved too: the same bits every time
+  storage.resize(storage.size() + classSize(index), blank);
   return {first, count};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/core/random.h"
@@ -21,13 +22,15 @@ inline constexpr const char* kCutModeNames[] = {"random", "vertex", "edge", "fac
 template <class S>
 class CutCube {
  public:
-  static constexpr std::size_t kMostPieces = 512;
-
-  CutCube(CutMode mode, std::uint64_t seed) : random(seed), mode_(mode), pieces_(kMostPieces) { restart(); }
+  /// Starts again when there are `mostPieces`.
+  CutCube(CutMode mode, std::uint64_t seed, std::size_t mostPieces = 512)
+      : random(seed), mode_(mode), pieces_(mostPieces) {
+    restart();
+  }
 
   /// Chooses a piece and a plane, cuts, and keeps both parts. The pieces are then `above` and `below`, `parent` the one before.
   SplitOutcome step() {
-    if (count_ == kMostPieces) restart();
+    if (isFull()) restart();
     chosen = random.nextBelow(static_cast<std::uint32_t>(count_));
     parent.assign(pieces_[chosen].view());
     plane = choosePlane();
@@ -39,6 +42,7 @@ class CutCube {
   }
 
   std::size_t count() const { return count_; }
+  bool isFull() const { return count_ == pieces_.size(); }
   const ConvexT<S>& piece(std::size_t i) const { return pieces_[i]; }
 
   Random random;
@@ -100,12 +104,14 @@ class CutCube {
       if (normalize(across)) normal = across;
     }
     if (mode_ == CutMode::ThroughVertex || mode_ == CutMode::ThroughEdge) return {normal, jitter(dotOf(normal, start))};
-    S offset = S(0);  // between corners, so that the plane mostly meets the piece
-    for (int i = 0; i < 3; ++i) {
-      const auto& corner = parent.vertices[random.nextBelow(static_cast<std::uint32_t>(parent.vertices.size()))].point;
-      offset += dotOf(normal, corner) / S(3);
+    float low = static_cast<float>(dotOf(normal, start));
+    float high = low;
+    for (const VertexT<S>& vertex : parent.vertices) {
+      const auto along = static_cast<float>(dotOf(normal, vertex.point));
+      low = minOf(low, along);
+      high = maxOf(high, along);
     }
-    return {normal, offset};
+    return {normal, S(random.nextFloat(low, high))};
   }
 
   /// The offset itself, or its neighbour among floats on either side.
