@@ -126,18 +126,17 @@ Search search(const Pair& pair, const SimplexCache& cache, double stopAbove, dou
 }
 
 void remember(const Simplex& simplex, SimplexCache& cache) {
-  cache = SimplexCache{};
   cache.count = static_cast<std::uint8_t>(simplex.count);
-  for (int i = 0; i < simplex.count; ++i) {
-    cache.a[i] = static_cast<std::uint16_t>(simplex.vertices[i].indexA);
-    cache.b[i] = static_cast<std::uint16_t>(simplex.vertices[i].indexB);
+  for (int i = 0; i < 4; ++i) {  // unused places are zero, so that equal states have equal bytes
+    cache.a[i] = i < simplex.count ? static_cast<std::uint16_t>(simplex.vertices[i].indexA) : std::uint16_t{0};
+    cache.b[i] = i < simplex.count ? static_cast<std::uint16_t>(simplex.vertices[i].indexB) : std::uint16_t{0};
   }
 }
 
 /// Cores that touch or overlap.
-Penetration penetrationOf(const Pair& pair, const Simplex& simplex) {
+Penetration penetrationOf(const Pair& pair, const Simplex& simplex, std::uint32_t guess) {
   if (!pair.a.isSphere() && !pair.b.isSphere())
-    return leastPenetration(pair.a.convex, pair.b.convex, pair.pose, simplex.vertices[0].indexA, simplex.vertices[0].indexB);
+    return leastPenetration(pair.a.convex, pair.b.convex, pair.pose, simplex.vertices[0].indexA, simplex.vertices[0].indexB, guess);
   if (!pair.a.isSphere()) return pointPenetration(pair.a.convex, pair.pose.apply(pair.b.center));
   Penetration result;
   if (pair.b.isSphere()) {
@@ -163,7 +162,8 @@ Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, co
   remember(found.simplex, cache);
   Penetration core;
   if (found.overlapping) {
-    core = penetrationOf(pair, found.simplex);
+    core = penetrationOf(pair, found.simplex, cache.axis);
+    cache.axis = core.axis;
   } else {
     core.separation = found.upper;
     core.normal = found.nearest / -found.upper;

@@ -63,9 +63,14 @@ class AxisTest {
     place(b, pose, sideB);
   }
 
-  Penetration run(std::uint32_t deepA, std::uint32_t deepB) {
-    testFaces(a_, sideA_, sideB_, deepB);
-    testFaces(b_, sideB_, sideA_, deepA);
+  Penetration run(std::uint32_t deepA, std::uint32_t deepB, std::uint32_t guess) {
+    addDeep(sideB_, deepB);
+    addDeep(sideA_, deepA);
+    const std::uint32_t first = (guess - 1) / 2;
+    if (guess % 2 == 1 && first < a_.faces.size()) testFace(a_, sideA_, sideB_, first);
+    if (guess % 2 == 0 && guess > 0 && first < b_.faces.size()) testFace(b_, sideB_, sideA_, first);
+    for (std::uint32_t f = 0; f < a_.faces.size(); ++f) testFace(a_, sideA_, sideB_, f);
+    for (std::uint32_t f = 0; f < b_.faces.size(); ++f) testFace(b_, sideB_, sideA_, f);
     if (best_.separation < -1.0e299) tryAxis(normalBetween(), sideA_, sideB_, sideA_.points[0]);
     refute(a_, sideA_, sideB_);
     refute(b_, sideB_, sideA_);
@@ -108,18 +113,18 @@ class AxisTest {
     return deepest;
   }
 
-  /// The axes of one convex' faces. The deep points known so far rule out most of them.
-  void testFaces(const ConvexView& own, const Side& ownSide, Side& other, std::uint32_t deep) {
-    addDeep(other, deep);
-    for (std::size_t f = 0; f < own.faces.size(); ++f) {
-      const Vec3d& normal = ownSide.normals[f];
-      const Vec3d& onFace = ownSide.points[own.edges[own.faces[f].edge].vertex];
-      if (!isUnit(own.faces[f].plane.normal)) continue;
-      const double limit = best_.separation + onFace.dot(normal);
-      bool hopeless = false;
-      for (int i = 0; i < other.deepCount && !hopeless; ++i) hopeless = other.deep[i].dot(normal) <= limit;
-      if (!hopeless) addDeep(other, tryAxis(normal, ownSide, other, onFace));
-    }
+  /// The axis of one face. The deep points known so far rule out most.
+  void testFace(const ConvexView& own, const Side& ownSide, Side& other, std::uint32_t f) {
+    const Face& face = own.faces[f];
+    const Vec3d& normal = ownSide.normals[f];
+    const Vec3d& onFace = ownSide.points[own.edges[face.edge].vertex];
+    const double limit = best_.separation + onFace.dot(normal);
+    for (int i = 0; i < other.deepCount; ++i)
+      if (other.deep[i].dot(normal) <= limit) return;
+    if (!isUnit(face.plane.normal)) return;
+    const double before = best_.separation;
+    addDeep(other, tryAxis(normal, ownSide, other, onFace));
+    if (best_.separation > before) best_.axis = 1 + 2 * f + (&ownSide == &sideA_ ? 0 : 1);
   }
 
   /// On an axis between the normals of two faces of A, A's extreme point is on their edge. If some point of B is below both faces
@@ -177,7 +182,9 @@ class AxisTest {
     if ((b.start - a.start).dot(axis) <= best_.separation + kEdgeSlack * std::abs(best_.separation)) return;
     const double before = best_.separation;
     tryAxis(axis, sideA_, sideB_, a.start);
-    if (best_.separation > before) nearestOnLines(a, b);
+    if (best_.separation <= before) return;
+    nearestOnLines(a, b);
+    best_.axis = 0;
   }
 
   void nearestOnLines(const EdgeLine& a, const EdgeLine& b) {
@@ -199,9 +206,9 @@ class AxisTest {
 }  // namespace
 
 Penetration leastPenetration(const ConvexView& a, const ConvexView& b, const RelativePose& pose, std::uint32_t deepA,
-                             std::uint32_t deepB) {
+                             std::uint32_t deepB, std::uint32_t guess) {
   thread_local Side sides[2];
-  return AxisTest(a, b, pose, sides[0], sides[1]).run(deepA, deepB);
+  return AxisTest(a, b, pose, sides[0], sides[1]).run(deepA, deepB, guess);
 }
 
 Penetration pointPenetration(const ConvexView& a, const Vec3d& point) {

@@ -53,6 +53,7 @@ struct Manifold {
     a(simplex.count);
     a(simplex.a);
     a(simplex.b);
+    a(simplex.axis);
     a(computedAt.position);
     a(computedAt.rotation);
     a(localNormal);

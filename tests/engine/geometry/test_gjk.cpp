@@ -191,6 +191,7 @@ TEST(Gjk, WarmStartsGiveTheSameAnswerFromAnyCache) {
     const Transform poseA = randomPose(random, 1.0f), poseB = randomPose(random, 1.0f);
     if (i % 5 == 0) {  // garbage, out of range indices too
       cache.count = static_cast<std::uint8_t>(random.nextBelow(256));
+      cache.axis = random.nextBelow(80);
       for (int k = 0; k < 4; ++k) {
         cache.a[k] = static_cast<std::uint16_t>(random.nextBelow(16));
         cache.b[k] = static_cast<std::uint16_t>(random.nextBelow(16));
