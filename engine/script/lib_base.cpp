@@ -12,23 +12,6 @@ namespace {
 
 int orderOf(int type) { return type == LUA_TNUMBER ? 0 : (type == LUA_TSTRING ? 1 : 2); }
 
-/// The key at `index` of the stack; false for kinds that have no order.
-bool readKey(lua_State* lua, int index, Key& key) {
-  key = {lua_type(lua, index), 0.0, {}};
-  if (key.type == LUA_TNUMBER) {
-    key.number = lua_tonumber(lua, index);
-  } else if (key.type == LUA_TBOOLEAN) {
-    key.number = lua_toboolean(lua, index);
-  } else if (key.type == LUA_TSTRING) {
-    std::size_t size = 0;
-    const char* text = lua_tolstring(lua, index, &size);
-    key.text = {text, size};
-  } else {
-    return false;
-  }
-  return true;
-}
-
 [[gnu::noinline]] int refuseKey(lua_State* lua, const char* who) {
   return raise(lua, "%s: a table or function used as a key has no place in the order of keys", who);
 }
@@ -140,6 +123,22 @@ bool operator<(const Key& a, const Key& b) {
   const int orderB = orderOf(b.type);
   if (orderA != orderB) return orderA < orderB;
   return a.type == LUA_TSTRING ? a.text < b.text : a.number < b.number;
+}
+
+bool readKey(lua_State* lua, int index, Key& key) {
+  key = {lua_type(lua, index), 0.0, {}};
+  if (key.type == LUA_TNUMBER) {
+    key.number = lua_tonumber(lua, index);
+  } else if (key.type == LUA_TBOOLEAN) {
+    key.number = lua_toboolean(lua, index);
+  } else if (key.type == LUA_TSTRING) {
+    std::size_t size = 0;
+    const char* text = lua_tolstring(lua, index, &size);
+    key.text = {text, size};
+  } else {
+    return false;
+  }
+  return true;
 }
 
 bool sortKeys(lua_State* lua, int index) {

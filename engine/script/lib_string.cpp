@@ -209,13 +209,13 @@ int repeat(lua_State* lua) {
   std::size_t separatorSize = 0;
   const char* separator = luaL_optlstring(lua, 3, "", &separatorSize);
   const double total = times * static_cast<double>(text.size + separatorSize);
-  const double most = static_cast<double>(SandboxState::of(lua).limits.largestBlockBytes);
-  if (!(total < most)) return raise(lua, "string.rep: the result is longer than %f bytes", most);
+  const double most = static_cast<double>(SandboxState::of(lua).limits.longestString);
+  if (!(total <= most)) return raise(lua, "string.rep: the result is longer than %f bytes", most);
   luaL_Buffer out;
-  luaL_buffinit(lua, &out);
+  luaL_buffinitsize(lua, &out, total > 0.0 ? static_cast<std::size_t>(total) : 0);
   if (total > 0.0) {
+    charge(lua, static_cast<std::int64_t>(times / 4.0 + total / 16.0));
     for (int i = 0; i < static_cast<int>(times); ++i) {
-      charge(lua, 1);
       if (i > 0) luaL_addlstring(&out, separator, separatorSize);
       luaL_addlstring(&out, text.data, text.size);
     }
@@ -228,7 +228,7 @@ int repeat(lua_State* lua) {
 int format(lua_State* lua) {
   luaL_checkstring(lua, 1);
   const int count = lua_gettop(lua);
-  charge(lua, count);
+  charge(lua, 50 + count);  // printf takes its time
   for (int i = 2; i <= count; ++i) {
     const int kind = lua_type(lua, i);
     if (kind == LUA_TSTRING || (kind == LUA_TNUMBER && lua_tonumber(lua, i) == lua_tonumber(lua, i))) continue;

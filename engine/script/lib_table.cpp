@@ -6,7 +6,7 @@
 namespace brittle::script {
 namespace {
 
-constexpr int kMostResults = 4000;
+constexpr int kMostResults = 1000;
 
 int insert(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);

@@ -21,7 +21,8 @@ namespace brittle::script {
 struct Limits {
   std::int64_t instructions = 1'000'000;       // per load or call, unless the call says otherwise
   std::size_t memoryBytes = 8u << 20;          // all that the script holds [bytes]; at least 128 KiB
-  std::size_t largestBlockBytes = 256u << 10;  // longest string, or 16,384 values in one table or on the stack [bytes]
+  std::size_t largestBlockBytes = 512u << 10;  // 32,768 list entries, 8,192 fields of one table, or as many values on the stack
+  std::size_t longestString = 64u << 10;       // [bytes]: comparing strings is the one long work that no budget sees
 };
 
 class SandboxState;

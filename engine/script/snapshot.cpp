@@ -6,6 +6,7 @@
 
 #include "engine/script/state.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace brittle::script {
@@ -82,7 +83,7 @@ void visitContents(lua_State* lua, int& listed) {
 void rememberBuiltins(lua_State* lua) {
   lua_settop(lua, 0);
   for (const char* name : {kNumbers, kNumbered, kBuiltins}) {
-    lua_newtable(lua);
+    lua_createtable(lua, name == kNumbered ? 256 : 0, name == kNumbered ? 0 : 256);
     lua_pushvalue(lua, -1);
     lua_setfield(lua, LUA_REGISTRYINDEX, name);
   }
@@ -108,6 +109,7 @@ void rememberBuiltins(lua_State* lua) {
     }
     lua_rawset(lua, 3);
   }
+  SandboxState::of(lua).builtins = static_cast<int>(lua_rawlen(lua, 2));
   lua_settop(lua, 0);
 }
 
@@ -160,7 +162,7 @@ class Saver {
     out_.write(static_cast<std::uint32_t>(functions));
     lua_pushvalue(lua_, 6);
     writeTop(nullptr);
-    for (int i = 1; i <= functions; ++i) writeUpvalues(i);
+    for (int i = SandboxState::of(lua_).builtins + 1; i <= functions; ++i) writeUpvalues(i);
     for (int i = 1; i <= tables_; ++i) writeTable(i);
   }
 
@@ -178,22 +180,32 @@ class Saver {
     const int table = lua_gettop(lua_);
     const bool isGlobals = lua_rawequal(lua_, table, 6) != 0;
     if (isGlobals) writeRemovedBuiltins(table);
-    if (!sortKeys(lua_, table)) raise(lua_, "a table or function used as a key cannot be saved");
+    if (!(isGlobals ? sortChangedGlobals(table) : sortKeys(lua_, table)))
+      raise(lua_, "a table or function used as a key cannot be saved");
     const std::vector<Key>& keys = SandboxState::of(lua_).keys;
     for (std::size_t i = 0; i < keys.size(); ++i) {
       pushKey(lua_, keys[i]);
       lua_pushvalue(lua_, -1);
       lua_rawget(lua_, table);
-      if (isGlobals && keys[i].type == LUA_TSTRING && isUnchanged()) {
-        lua_pop(lua_, 2);
-        continue;
-      }
       lua_insert(lua_, -2);
       writeTop(nullptr);
       writeTop(keys[i].type == LUA_TSTRING ? keys[i].text.data() : "a table");
     }
     out_.write(Tag::Nil);
     lua_pop(lua_, 1);
+  }
+
+  /// sortKeys for the globals: without the built-in ones, which are most.
+  bool sortChangedGlobals(int table) {
+    std::vector<Key>& keys = SandboxState::of(lua_).keys;
+    keys.clear();
+    for (lua_pushnil(lua_); lua_next(lua_, table) != 0; lua_pop(lua_, 1)) {
+      Key key{};
+      if (!readKey(lua_, -2, key)) return false;
+      if (!isUnchanged()) keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    return true;
   }
 
   /// Whether the value on top is the built-in of the name below it.
@@ -205,7 +217,20 @@ class Saver {
     return same;
   }
 
+  bool isABuiltinRemoved(int table) {
+    for (lua_pushnil(lua_); lua_next(lua_, 5) != 0;) {
+      lua_pop(lua_, 1);
+      lua_pushvalue(lua_, -1);
+      lua_rawget(lua_, table);
+      const bool removed = lua_isnil(lua_, -1);
+      lua_pop(lua_, removed ? 2 : 1);
+      if (removed) return true;
+    }
+    return false;
+  }
+
   void writeRemovedBuiltins(int table) {
+    if (!isABuiltinRemoved(table)) return;
     sortKeys(lua_, 5);
     for (const Key& key : SandboxState::of(lua_).keys) {
       pushKey(lua_, key);
@@ -292,15 +317,15 @@ class Restorer {
     pushNumberingTables(lua_);
     lua_newtable(lua_);
     lua_pushglobaltable(lua_);
-    const auto functions = static_cast<std::uint32_t>(lua_rawlen(lua_, 2));
-    if (in_.read<std::uint32_t>() != functions) return refuse("it was saved with other scripts");
+    const int functions = static_cast<int>(lua_rawlen(lua_, 2));
+    if (in_.read<std::uint32_t>() != static_cast<std::uint32_t>(functions)) return refuse("it was saved with other scripts");
     resetGlobals();
     lua_pushvalue(lua_, 4);
     lua_rawseti(lua_, 3, 1);
     tables_ = 1;
     readValue();  // the globals themselves
     lua_pop(lua_, 1);
-    for (std::uint32_t i = 1; i <= functions; ++i) readUpvalues(static_cast<int>(i));
+    for (int i = SandboxState::of(lua_).builtins + 1; i <= functions; ++i) readUpvalues(i);
     for (int i = 1; i <= tables_; ++i) readTable(i);
     if (!in_.ok()) refuse("it is cut short or damaged");
   }

@@ -36,15 +36,10 @@ int addPlace(lua_State* lua) {
   return 1;
 }
 
-/// The standard library, of which only the names in this list are kept.
-void openLibraries(lua_State* lua) {
-  luaL_requiref(lua, "_G", luaopen_base, 0);
-  luaL_requiref(lua, LUA_STRLIBNAME, luaopen_string, 0);
-  luaL_requiref(lua, LUA_TABLIBNAME, luaopen_table, 0);
-  luaL_requiref(lua, LUA_BITLIBNAME, luaopen_bit32, 0);
-  lua_settop(lua, 0);
-  lua_pushnil(lua);
-  lua_setfield(lua, LUA_REGISTRYINDEX, "_LOADED");
+/// Leaves what a library's opener returns on the stack, without a trace in the registry.
+void open(lua_State* lua, lua_CFunction opener) {
+  lua_pushcfunction(lua, opener);
+  lua_call(lua, 0, 1);
 }
 
 void keep(lua_State* lua, int from, std::initializer_list<const char*> names) {
@@ -69,9 +64,10 @@ SandboxState::SandboxState(const Library& library, std::uint64_t seed, Limits li
   BR_ASSERT(lua != nullptr);
   lua_atpanic(lua, panic);
   const int status = protect([&library](lua_State* inner) {
-    openLibraries(inner);
-    luaL_requiref(inner, "_G", luaopen_base, 0);
-    luaL_requiref(inner, LUA_BITLIBNAME, luaopen_bit32, 0);
+    open(inner, luaopen_base);
+    open(inner, luaopen_bit32);
+    open(inner, luaopen_string);  // for the metatable of strings
+    lua_pop(inner, 1);
     lua_newtable(inner);
     keep(inner, 1, {"_VERSION", "assert", "error", "ipairs", "rawequal", "rawget", "rawset", "select", "tonumber", "type"});
     addBase(inner);
@@ -88,9 +84,6 @@ SandboxState::SandboxState(const Library& library, std::uint64_t seed, Limits li
       lua_setfield(inner, -2, entry.name.c_str());
     }
     lua_rawseti(inner, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
-    lua_settop(inner, 0);
-    lua_pushnil(inner);
-    lua_setfield(inner, LUA_REGISTRYINDEX, "_LOADED");
     rememberBuiltins(inner);
   });
   BR_ASSERT(status == LUA_OK);
@@ -100,21 +93,23 @@ SandboxState::~SandboxState() { lua_close(lua); }
 
 void* SandboxState::allocate(void* self, void* block, std::size_t before, std::size_t wanted) {
   auto& state = *static_cast<SandboxState*>(self);
-  if (block == nullptr) before = 0;  // Lua passes the kind of object then
+  const bool isString = block == nullptr && before == LUA_TSTRING;  // for a new block Lua passes the kind of object
+  if (block == nullptr) before = 0;
   if (wanted == 0) {
     state.used -= before;
     std::free(block);
     return nullptr;
   }
-  if (wanted > before && !state.admits(before, wanted)) return nullptr;
+  if (wanted > before && !state.admits(before, wanted, isString ? state.limits.longestString : state.limits.largestBlockBytes))
+    return nullptr;
   void* moved = std::realloc(block, wanted);
   if (moved != nullptr) state.used += wanted - before;
   return moved;
 }
 
-bool SandboxState::admits(std::size_t before, std::size_t wanted) {
+bool SandboxState::admits(std::size_t before, std::size_t wanted, std::size_t largest) {
   churn_ += wanted - before;
-  const bool fits = unlimited || (wanted <= limits.largestBlockBytes && used + (wanted - before) <= limits.memoryBytes &&
+  const bool fits = unlimited || (wanted <= largest && used + (wanted - before) <= limits.memoryBytes &&
                                   (!running || churn_ <= limits.memoryBytes * kChurnFactor));
   if (!fits) {
     // Lua now collects all its garbage and asks again. A script that lives at the limit would do so for ever.
@@ -171,7 +166,7 @@ Error SandboxState::takeError(int status) {
     const std::string file = files.empty() ? "script" : files[static_cast<std::size_t>(refusedAt_.first)];
     message = errorAt(file, refusedAt_.second, "the memory budget is used up: recursion without end, or data without end (" +
                       std::to_string(limits.memoryBytes) + " bytes in all, " + std::to_string(limits.largestBlockBytes) +
-                      " in one piece)").message;
+                      " in one table, " + std::to_string(limits.longestString) + " in one string)").message;
   } else if (lua_type(lua, -1) == LUA_TSTRING) {
     std::size_t size = 0;
     const char* text = lua_tolstring(lua, -1, &size);

@@ -68,6 +68,7 @@ class SandboxState {
   std::int64_t granted = 0;        // instructions
   std::int64_t left = 0;
   std::size_t used = 0;  // bytes held now
+  int builtins = 0;  // how many functions and tables had numbers before the first script
   bool running = false;
   bool unlimited = false;  // while our own code, not the script, asks for memory
   std::vector<Key> keys;       // scratch of the sorted walks
@@ -75,7 +76,7 @@ class SandboxState {
 
  private:
   static void* allocate(void* self, void* block, std::size_t before, std::size_t wanted);
-  bool admits(std::size_t before, std::size_t wanted);
+  bool admits(std::size_t before, std::size_t wanted, std::size_t largest);
   bool runNative(const Library::Entry& entry);
 
   std::size_t churn_ = 0;               // bytes asked for since beginRun
@@ -92,6 +93,8 @@ void pushValue(lua_State* lua, const Value& value);
 /// Tables and functions give nil.
 Value toValue(lua_State* lua, int index);
 
+/// The key at `index` of the stack; false for kinds that have no order.
+bool readKey(lua_State* lua, int index, Key& key);
 /// Fills `state.keys` with the keys of the table at `index`, in order. Gives false if one of them has no order.
 bool sortKeys(lua_State* lua, int index);
 void pushKey(lua_State* lua, const Key& key);
