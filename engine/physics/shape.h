@@ -82,8 +82,8 @@ struct Shape {
     a(contactCount);
     a(anchorCount);
     for (std::uint32_t i = 0; i < anchorCount && i < kMaxAnchors; ++i) {
-      a(anchors[i].points);
       a(anchors[i].pointCount);
+      for (std::uint32_t k = 0; k < anchors[i].pointCount && k < 8; ++k) a(anchors[i].points[k]);  // the others hold nothing
     }
     a(meshHash);
   }

@@ -7,6 +7,7 @@ int main() {
   std::vector<brittle::Line> lines;
   brittle::addMath(lines);
   brittle::addGeometry(lines);
+  brittle::addPhysics(lines);
   for (const brittle::Line& line : lines)
     std::printf("%-28s %016llx\n", line.name.c_str(), static_cast<unsigned long long>(line.hash));
   return 0;

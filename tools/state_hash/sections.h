@@ -16,5 +16,7 @@ struct Line {
 void addMath(std::vector<Line>& lines);
 /// Cuts, mass properties, hulls, breaking.
 void addGeometry(std::vector<Line>& lines);
+/// A scene of 600 ticks.
+void addPhysics(std::vector<Line>& lines);
 
 }  // namespace brittle
