@@ -49,7 +49,8 @@ const char* findLoopError(Edges edges, std::span<const std::uint16_t> firstEdges
   return total == edges.size() ? nullptr : "a half-edge is in no loop";
 }
 
-/// The vertex graph is connected, every vertex has one fan and at least 3 edges. Walks the fans of all vertices it can reach.
+/// The vertex graph is connected, every vertex has one fan and at least 3 edges. Walks the fans of all vertices it can
+/// reach.
 const char* findFanError(Edges edges, std::uint32_t vertexCount, TopologyScratch& scratch) {
   scratch.stamps.assign(vertexCount, 0);
   scratch.pending.clear();
@@ -78,8 +79,8 @@ const char* findFanError(Edges edges, std::uint32_t vertexCount, TopologyScratch
   return total == edges.size() ? nullptr : "a vertex has more than one fan";
 }
 
-/// Two faces meet at most once: in nothing, a vertex or an edge. For a planar graph that is 3-connectivity (and excludes double
-/// edges). Source: Ziegler, Lectures on Polytopes, 1995, chapter 4.
+/// Two faces meet at most once: in nothing, a vertex or an edge. For a planar graph that is 3-connectivity (and
+/// excludes double edges). Source: Ziegler, Lectures on Polytopes, 1995, chapter 4.
 const char* findMeetingError(Edges edges, std::span<const std::uint16_t> firstEdges, TopologyScratch& scratch) {
   scratch.stamps.assign(firstEdges.size(), 0);
   for (std::uint32_t face = 0; face < firstEdges.size(); ++face) {

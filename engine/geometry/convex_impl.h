@@ -1,5 +1,5 @@
-// geometry/convex_impl.h - the bodies of convex.h's templates. Include it only to instantiate them for another scalar (tests and the
-// accuracy study do, with exact rationals); float and double are instantiated in convex.cpp.
+// geometry/convex_impl.h - the bodies of convex.h's templates. Include it only to instantiate them for another scalar
+// (tests and the accuracy study do, with exact rationals); float and double are instantiated in convex.cpp.
 #pragma once
 
 #include "engine/geometry/convex.h"
@@ -8,7 +8,9 @@ namespace brittle::geometry {
 namespace convex_detail {
 
 /// The half-edge that leaves the same vertex next, clockwise seen from outside.
-inline std::uint32_t turned(std::span<const Edge> edges, std::uint32_t edge) { return edges[edges[edge].opposite].next; }
+inline std::uint32_t turned(std::span<const Edge> edges, std::uint32_t edge) {
+  return edges[edges[edge].opposite].next;
+}
 
 /// Work space of findTopologyError, one per thread, so that checking millions of pieces allocates nothing.
 struct TopologyScratch {
@@ -18,7 +20,8 @@ struct TopologyScratch {
 TopologyScratch& topologyScratch();
 
 /// Everything findTopologyError checks; it needs no coordinates, only how faces name their first edge.
-const char* findEdgeError(std::span<const Edge> edges, std::uint32_t vertexCount, std::span<const std::uint16_t> firstEdges);
+const char* findEdgeError(std::span<const Edge> edges, std::uint32_t vertexCount,
+                          std::span<const std::uint16_t> firstEdges);
 
 }  // namespace convex_detail
 

@@ -1,7 +1,8 @@
-// The convex hull of points: makeHull of make.h. Points are put on a grid of 2^24 steps along their extent, on which every sign is
-// computed exactly, so the triangulated hull is a closed mesh whatever the points. Then triangles in one plane become one face.
-// Incremental: each point replaces the triangles that see it by a cone over their outline. Quadratic, meant for loading.
-// Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry, II, 1989 (without their randomness).
+// The convex hull of points: makeHull of make.h. Points are put on a grid of 2^24 steps along their extent, on which
+// every sign is computed exactly, so the triangulated hull is a closed mesh whatever the points. Then triangles in one
+// plane become one face. Incremental: each point replaces the triangles that see it by a cone over their outline.
+// Quadratic, meant for loading. Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry,
+// II, 1989 (without their randomness).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +24,9 @@ constexpr double kGridSteps = 0x1p24;  // differences have 25 bits, determinants
 constexpr double kCoplanar = 0x1p-20;  // of the extent: triangles this close to a plane belong to one face
 constexpr std::uint32_t kNone = 0xffffffff;
 
-GridPoint between(const GridPoint& a, const GridPoint& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
+GridPoint between(const GridPoint& a, const GridPoint& b) {
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
 
 GridPoint crossOf(const GridPoint& a, const GridPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -129,7 +132,8 @@ std::vector<GridPoint> onGrid(std::span<const Vec3> points, const Bounds& bounds
   return grid;
 }
 
-/// A convex from loops over `points`; only the points used become vertices, in their order. False if it is not a valid mesh.
+/// A convex from loops over `points`; only the points used become vertices, in their order. False if it is not a valid
+/// mesh.
 bool assemble(std::span<const Vec3> points, Loops loops, Convex& convex) {
   std::vector<std::uint32_t> vertexOf(points.size(), kNone);
   for (const std::uint32_t corner : loops.corners) vertexOf[corner] = 0;
@@ -160,7 +164,8 @@ class Merger {
  public:
   Merger(const Convex& triangles, double tolerance) : mesh_(triangles), tolerance_(tolerance) {}
 
-  /// The faces' loops over the mesh's vertices, without those that are left with two edges. False if a face is not one loop.
+  /// The faces' loops over the mesh's vertices, without those that are left with two edges. False if a face is not one
+  /// loop.
   bool merge(Loops& loops) {
     group();
     std::vector<std::uint32_t> degree(mesh_.vertices.size(), 0);

@@ -12,7 +12,9 @@ namespace {
 
 using make_detail::Loops;
 
-Vec3d pointOf(const ConvexView& convex, std::uint32_t edge) { return convex.startOf(edge).cast<double>(); }
+Vec3d pointOf(const ConvexView& convex, std::uint32_t edge) {
+  return convex.startOf(edge).cast<double>();
+}
 
 /// The mean of `normal . corner` over a face: the offset that serves its corners best.
 double meanOffset(const ConvexView& convex, std::uint32_t face, const Vec3d& normal) {
@@ -33,8 +35,8 @@ Plane planeWith(const ConvexView& convex, std::uint32_t face, const Vec3d& norma
   return {rounded, static_cast<float>(meanOffset(convex, face, rounded.cast<double>()))};
 }
 
-/// Two equal polygons, `bottom` and `top` vertices 0..n-1 and n..2n-1, with quads between them. Seen from the top side the
-/// polygon runs counter-clockwise.
+/// Two equal polygons, `bottom` and `top` vertices 0..n-1 and n..2n-1, with quads between them. Seen from the top side
+/// the polygon runs counter-clockwise.
 Convex makeBetween(std::vector<Vertex> vertices) {
   const auto n = static_cast<std::uint32_t>(vertices.size() / 2);
   Convex convex;
@@ -110,7 +112,8 @@ Convex makeCylinder(float radius, float halfHeight, int sides, bool smooth) {
   const auto n = static_cast<std::size_t>(sides);
   std::vector<Vertex> vertices(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = -kTwoPi * static_cast<double>(i) / sides;  // counter-clockwise seen from above, Z towards the eye
+    const double angle =
+        -kTwoPi * static_cast<double>(i) / sides;  // counter-clockwise seen from above, Z towards the eye
     const auto x = static_cast<float>(cosineOf(angle));
     const auto z = static_cast<float>(sineOf(angle));
     for (const std::size_t at : {i, n + i}) {

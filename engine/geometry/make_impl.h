@@ -1,5 +1,5 @@
-// geometry/make_impl.h - the body of make.h's template, and the one way to build a half-edge mesh from loops of vertices. Include it
-// only to instantiate makeBox for another scalar; float and double are instantiated in make.cpp.
+// geometry/make_impl.h - the body of make.h's template, and the one way to build a half-edge mesh from loops of
+// vertices. Include it only to instantiate makeBox for another scalar; float and double are instantiated in make.cpp.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace brittle::geometry::make_detail {
 
-/// Faces as loops of vertices, counter-clockwise seen from outside: loop i is corners[starts[i]] to corners[starts[i + 1] - 1].
+/// Faces as loops of vertices, counter-clockwise seen from outside: loop i is corners[starts[i]] to corners[starts[i +
+/// 1] - 1].
 struct Loops {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> starts = {0};
@@ -19,8 +20,8 @@ struct Loops {
   std::uint32_t count() const { return static_cast<std::uint32_t>(starts.size()) - 1; }
 };
 
-/// Makes the half-edges and faces (planes left alone) of `convex`, whose vertices stand already. False, with `convex` half
-/// made, if the loops do not close up to a mesh: an edge without its opposite, or more than 16 bits of half-edges.
+/// Makes the half-edges and faces (planes left alone) of `convex`, whose vertices stand already. False, with `convex`
+/// half made, if the loops do not close up to a mesh: an edge without its opposite, or more than 16 bits of half-edges.
 template <class S>
 bool linkLoops(const Loops& loops, ConvexT<S>& convex) {
   const std::size_t count = loops.corners.size();
@@ -53,8 +54,8 @@ bool linkLoops(const Loops& loops, ConvexT<S>& convex) {
   return true;
 }
 
-/// Planes through the corners of every face, summed in double. Source: Newell's method, in Sutherland, Sproull, Schumacker, A
-/// Characterization of Ten Hidden-Surface Algorithms, 1974.
+/// Planes through the corners of every face, summed in double. Source: Newell's method, in Sutherland, Sproull,
+/// Schumacker, A Characterization of Ten Hidden-Surface Algorithms, 1974.
 void fitPlanes(Convex& convex);
 
 }  // namespace brittle::geometry::make_detail

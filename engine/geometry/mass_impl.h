@@ -1,5 +1,5 @@
-// geometry/mass_impl.h - the bodies of mass.h's templates. Include it only to instantiate them for another scalar; float and double
-// are instantiated in mass.cpp.
+// geometry/mass_impl.h - the bodies of mass.h's templates. Include it only to instantiate them for another scalar;
+// float and double are instantiated in mass.cpp.
 #pragma once
 
 #include <type_traits>
@@ -12,18 +12,18 @@ namespace brittle::geometry::mass_detail {
 template <class S>
 using Sum = std::conditional_t<std::is_same_v<S, float>, double, S>;
 
-/// Volume, first and second moments about an origin, as sums over tetrahedra with a corner in that origin. Polynomials of the
-/// vertex coordinates, so exact for exact scalars.
-/// Source: Blow and Binstock, How to Find the Inertia Tensor (or Other Mass Properties) of a 3D Solid Body, 2004.
+/// Volume, first and second moments about an origin, as sums over tetrahedra with a corner in that origin. Polynomials
+/// of the vertex coordinates, so exact for exact scalars. Source: Blow and Binstock, How to Find the Inertia Tensor (or
+/// Other Mass Properties) of a 3D Solid Body, 2004.
 template <class A>
 struct Moments {
   A sixVolume = A(0);
-  A first[3] = {A(0), A(0), A(0)};        // 24 times the integral of x
+  A first[3] = {A(0), A(0), A(0)};                                                // 24 times the integral of x
   A second[3][3] = {{A(0), A(0), A(0)}, {A(0), A(0), A(0)}, {A(0), A(0), A(0)}};  // 120 times that of x x^T
 
   void addTetrahedron(const A (&a)[3], const A (&b)[3], const A (&c)[3]) {
-    const A determinant = a[0] * A(b[1] * c[2] - b[2] * c[1]) + a[1] * A(b[2] * c[0] - b[0] * c[2]) +
-                          a[2] * A(b[0] * c[1] - b[1] * c[0]);
+    const A determinant =
+        a[0] * A(b[1] * c[2] - b[2] * c[1]) + a[1] * A(b[2] * c[0] - b[0] * c[2]) + a[2] * A(b[0] * c[1] - b[1] * c[0]);
     sixVolume += determinant;
     for (int i = 0; i < 3; ++i) {
       const A sumI = a[i] + b[i] + c[i];
@@ -39,7 +39,7 @@ struct Moments {
 template <class S, class A>
 Moments<A> momentsOf(const ConvexViewT<S>& convex, const Vec3T<S>& origin) {
   Moments<A> moments;
-  const auto relative = [&](std::uint32_t edge, A (&out)[3]) {
+  const auto relative = [&](std::uint32_t edge, A(&out)[3]) {
     for (int i = 0; i < 3; ++i) out[i] = A(convex.startOf(edge)[i]) - A(origin[i]);
   };
   for (const FaceT<S>& face : convex.faces) {
@@ -59,8 +59,8 @@ Moments<A> momentsOf(const ConvexViewT<S>& convex, const Vec3T<S>& origin) {
 /// Smallest pivot of the Cholesky factorisation: never below the smallest eigenvalue, and positive only if all are.
 double smallestPivot(const Mat3d& matrix);
 
-/// Keeps the tensor of a float needle positive definite: rounding to float can cost a long thin piece its smallest moment. Adds
-/// less than 1e-5 of the tensor, and only where it is needed.
+/// Keeps the tensor of a float needle positive definite: rounding to float can cost a long thin piece its smallest
+/// moment. Adds less than 1e-5 of the tensor, and only where it is needed.
 void regularize(Mat3& inertia);
 
 /// The properties of the bounding box, but with this volume.

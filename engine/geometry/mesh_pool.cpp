@@ -29,12 +29,16 @@ bool restoreArray(ByteReader& in, std::vector<T>& values) {
   return in.ok();
 }
 
-bool isWithin(Range range, std::size_t size) { return range.first <= size && range.count <= size - range.first; }
+bool isWithin(Range range, std::size_t size) {
+  return range.first <= size && range.count <= size - range.first;
+}
 
 }  // namespace
 
 // Sizes 8, 12, 16, 24, 32, 48, ...: at most a third of a block is unused.
-std::uint32_t MeshPool::classSize(std::uint32_t sizeClass) { return (sizeClass % 2 == 0 ? 8u : 12u) << (sizeClass / 2); }
+std::uint32_t MeshPool::classSize(std::uint32_t sizeClass) {
+  return (sizeClass % 2 == 0 ? 8u : 12u) << (sizeClass / 2);
+}
 
 std::uint32_t MeshPool::sizeClass(std::uint32_t count) {
   std::uint32_t result = 0;
@@ -52,7 +56,8 @@ Range MeshPool::allocate(FreeList& list, std::vector<T>& storage, std::uint32_t 
   }
   const auto first = static_cast<std::uint32_t>(storage.size());
   T blank{};
-  if constexpr (std::is_same_v<T, Vertex>) blank.point = Vec3::Zero();  // unused ones are saved too: the same bits every time
+  if constexpr (std::is_same_v<T, Vertex>)
+    blank.point = Vec3::Zero();  // unused ones are saved too: the same bits every time
   storage.resize(storage.size() + classSize(index), blank);
   return {first, count};
 }
@@ -73,7 +78,8 @@ void MeshPool::reserve(std::uint32_t meshes, std::uint32_t vertices, std::uint32
   dirty_.reserve(2 * meshes);
   for (FreeList* list : {&freeVertices_, &freeFaces_, &freeEdges_}) {
     if (list->byClass.size() < kClasses) list->byClass.resize(kClasses);
-    for (std::uint32_t i = 0; i < kClasses; ++i) list->byClass[i].reserve(std::min(meshes, vertices / classSize(i) + 1));
+    for (std::uint32_t i = 0; i < kClasses; ++i)
+      list->byClass[i].reserve(std::min(meshes, vertices / classSize(i) + 1));
   }
 }
 

@@ -1,5 +1,6 @@
-// geometry/split_impl.h - the body of split.h's template. Include it only to instantiate it for another scalar (tests and the
-// accuracy study do, with exact rationals); float and double are instantiated in split.cpp. How it works is told there.
+// geometry/split_impl.h - the body of split.h's template. Include it only to instantiate it for another scalar (tests
+// and the accuracy study do, with exact rationals); float and double are instantiated in split.cpp. How it works is
+// told there.
 #pragma once
 
 #include <cmath>
@@ -15,9 +16,10 @@ inline constexpr std::uint8_t kBelow = 0;
 inline constexpr std::uint8_t kAbove = 1;
 inline constexpr std::uint32_t kNotCut = 0xffffffff;
 
-/// Closest a cut vertex comes to a vertex of its edge, as a fraction of the parent's extent [-]; at most a quarter of the edge. It
-/// puts caps off their planes by as much. Measured on a cube in 512 pieces: four times larger and the volumes of cuts through
-/// vertices add up to 1.3e-6 only; four times smaller and half as many edges again have length zero.
+/// Closest a cut vertex comes to a vertex of its edge, as a fraction of the parent's extent [-]; at most a quarter of
+/// the edge. It puts caps off their planes by as much. Measured on a cube in 512 pieces: four times larger and the
+/// volumes of cuts through vertices add up to 1.3e-6 only; four times smaller and half as many edges again have length
+/// zero.
 inline constexpr float kMoveAway = 0x1p-20f;
 
 /// Exact scalars need no slack: no thickness, no moving away.
@@ -153,8 +155,8 @@ class Splitter {
     return SplitOutcome::Split;
   }
 
-  /// Numbers the half-edges of both sides, then walks from cut edge to cut edge through the faces they share. True if that one
-  /// walk meets every cut edge and no face twice: then, and only then, both sides are connected.
+  /// Numbers the half-edges of both sides, then walks from cut edge to cut edge through the faces they share. True if
+  /// that one walk meets every cut edge and no face twice: then, and only then, both sides are connected.
   bool walkCut() {
     const Index count = static_cast<Index>(parent_.edges.size());
     edgeMap_ = reserveIndices(count);
@@ -203,9 +205,9 @@ class Splitter {
     for (Index i = 0; i < count; ++i) {
       parents[i] = i;
       if (scratch_.sides[i] != side) continue;
-      const bool isFarther = farthest == kNotCut ||
-                             (side == kAbove ? scratch_.distances[farthest] < scratch_.distances[i]
-                                             : scratch_.distances[i] < scratch_.distances[farthest]);
+      const bool isFarther =
+          farthest == kNotCut || (side == kAbove ? scratch_.distances[farthest] < scratch_.distances[i]
+                                                 : scratch_.distances[i] < scratch_.distances[farthest]);
       if (isFarther) farthest = i;
     }
     for (const Edge& edge : parent_.edges) {
@@ -237,8 +239,8 @@ class Splitter {
     }
   }
 
-  /// Where the plane meets the edge from `low` to `high`: measured from the nearer end, so that it stays between the two bit
-  /// for bit (half an edge, rounded, cannot reach past the other end), and not too near to it.
+  /// Where the plane meets the edge from `low` to `high`: measured from the nearer end, so that it stays between the
+  /// two bit for bit (half an edge, rounded, cannot reach past the other end), and not too near to it.
   VertexT<S> cutVertex(Index low, Index high) const {
     const S drop = scratch_.distances[low] - scratch_.distances[high];
     S fraction = drop < S(0) || S(0) < drop ? S(scratch_.distances[low] / drop) : S(0);
@@ -261,8 +263,7 @@ class Splitter {
   S movedAway(const S& fraction, const Vec3T<S>& along) const {
     if constexpr (!kIsExact<S>) {
       const S least = S(kMoveAway) * extent_;
-      const S longestSide =
-          maxOf<S>(maxOf<S>(absolute<S>(along[0]), absolute<S>(along[1])), absolute<S>(along[2]));
+      const S longestSide = maxOf<S>(maxOf<S>(absolute<S>(along[0]), absolute<S>(along[1])), absolute<S>(along[2]));
       if (!(fraction * longestSide < least)) return fraction;
       const S length = std::sqrt((along[0] * along[0] + along[1] * along[1]) + along[2] * along[2]);
       const S smallest = S(4) * least < length ? S(least / length) : S(0.25);
@@ -271,8 +272,8 @@ class Splitter {
     return fraction;
   }
 
-  /// After a repair: a vertex farther on the wrong side than rounding and moving away explain would make a dent. Cut vertices
-  /// lie no farther off than the ends of their edges.
+  /// After a repair: a vertex farther on the wrong side than rounding and moving away explain would make a dent. Cut
+  /// vertices lie no farther off than the ends of their edges.
   bool isTooFarOff() const {
     const S most = maxOf<S>(slack_, S(kMoveAway) * extent_);
     for (std::size_t i = 0; i < scratch_.sides.size(); ++i) {
@@ -282,8 +283,9 @@ class Splitter {
     return false;
   }
 
-  /// Whether both sides have a positive volume, over the triangles massOf sums: fans from each face's first half-edge. Where a
-  /// piece is thinner than its caps are off their planes, it may have none although it reaches far from the cut.
+  /// Whether both sides have a positive volume, over the triangles massOf sums: fans from each face's first half-edge.
+  /// Where a piece is thinner than its caps are off their planes, it may have none although it reaches far from the
+  /// cut.
   bool haveVolume() const {
     if constexpr (kIsExact<S>) return true;
     Volumes volumes(scratch_.caps[0].point);  // the caps are fans from this point, and add nothing
@@ -303,7 +305,8 @@ class Splitter {
     return volumes.six[kBelow] > 0.0 && volumes.six[kAbove] > 0.0;
   }
 
-  /// The part of a cut face on one side: from where `leaving` is cut over where `entering` is cut and on along the loop.
+  /// The part of a cut face on one side: from where `leaving` is cut over where `entering` is cut and on along the
+  /// loop.
   void addPart(Volumes& volumes, std::uint8_t side, Index exit, Index entry, Index entering, Index leaving) const {
     volumes.startFan(scratch_.caps[exit].point);
     volumes.addCorner(side, scratch_.caps[entry].point);
@@ -370,24 +373,23 @@ class Splitter {
     Edge* children[2] = {below.edges.data(), above.edges.data()};
     for (const Edge& edge : parent_.edges) {
       const std::uint8_t side = scratch_.sides[edge.vertex];
-      *children[side]++ = {static_cast<std::uint16_t>(faceMap_[side][edge.face]),
-                           static_cast<std::uint16_t>(vertexMap_[edge.vertex]),
-                           static_cast<std::uint16_t>(edgeMap_[edge.next]),
-                           static_cast<std::uint16_t>(edgeMap_[edge.opposite])};
+      *children[side]++ = {
+          static_cast<std::uint16_t>(faceMap_[side][edge.face]), static_cast<std::uint16_t>(vertexMap_[edge.vertex]),
+          static_cast<std::uint16_t>(edgeMap_[edge.next]), static_cast<std::uint16_t>(edgeMap_[edge.opposite])};
     }
   }
 
-  /// Closes one child. The i-th cut face is entered by its half-edge `up` and left by `down`; cut vertex i lies on `up`. After
-  /// the child's `inherited` half-edges come: the far part of each half-edge that reaches in from the other side; then for each
-  /// cut face the new edge that closes it, and that edge's opposite, on the cap.
+  /// Closes one child. The i-th cut face is entered by its half-edge `up` and left by `down`; cut vertex i lies on
+  /// `up`. After the child's `inherited` half-edges come: the far part of each half-edge that reaches in from the other
+  /// side; then for each cut face the new edge that closes it, and that edge's opposite, on the cap.
   void writeCap(ConvexT<S>& child, Index inherited, bool isAbove) {
     const Index count = cutCount();
     const Index capFace = static_cast<Index>(child.faces.size()) - 1;
     const std::uint8_t side = isAbove ? kAbove : kBelow;
     Edge* edges = child.edges.data();
     const auto write = [edges](Index at, Index face, Index vertex, Index next, Index opposite) {
-      edges[at] = {static_cast<std::uint16_t>(face), static_cast<std::uint16_t>(vertex), static_cast<std::uint16_t>(next),
-                   static_cast<std::uint16_t>(opposite)};
+      edges[at] = {static_cast<std::uint16_t>(face), static_cast<std::uint16_t>(vertex),
+                   static_cast<std::uint16_t>(next), static_cast<std::uint16_t>(opposite)};
     };
     for (Index i = 0; i < count; ++i) {
       const Index after = i + 1 == count ? 0 : i + 1;
@@ -411,7 +413,8 @@ class Splitter {
     }
     // Both caps start at cut vertex 0, see haveVolume.
     const Index first = inherited + count + 1 + (isAbove ? 0 : 2 * (count - 1));
-    child.faces[capFace] = {isAbove ? plane_.flipped() : plane_, static_cast<std::uint16_t>(first), mark_.kind, mark_.cut};
+    child.faces[capFace] = {isAbove ? plane_.flipped() : plane_, static_cast<std::uint16_t>(first), mark_.kind,
+                            mark_.cut};
   }
 
   const ConvexViewT<S>& parent_;
@@ -420,10 +423,10 @@ class Splitter {
   SplitScratchT<S>& scratch_;
   S extent_ = S(0);
   S slack_ = S(0);
-  Index edgeCount_[2] = {0, 0};   // half-edges that start on each side
-  Index capStart_[2] = {0, 0};    // first cut vertex in each child
-  Index* edgeMap_ = nullptr;      // parent's half-edge -> index in the child of its start
-  Index* faceCut_ = nullptr;      // parent's face -> which cut face it is, or kNotCut
+  Index edgeCount_[2] = {0, 0};  // half-edges that start on each side
+  Index capStart_[2] = {0, 0};   // first cut vertex in each child
+  Index* edgeMap_ = nullptr;     // parent's half-edge -> index in the child of its start
+  Index* faceCut_ = nullptr;     // parent's face -> which cut face it is, or kNotCut
   Index* faceMap_[2] = {nullptr, nullptr};
   Index* vertexMap_ = nullptr;
 };

@@ -1,5 +1,5 @@
-// The stress of the split tests: a unit cube, cut one random piece at a time until there are 512, then again. Planes are random, or
-// go on purpose through what is there already, where rounding leaves no sign to be trusted.
+// The stress of the split tests: a unit cube, cut one random piece at a time until there are 512, then again. Planes
+// are random, or go on purpose through what is there already, where rounding leaves no sign to be trusted.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,8 @@
 namespace brittle::geometry {
 
 enum class CutMode { AtRandom, ThroughVertex, ThroughEdge, OnFace };
-inline constexpr CutMode kCutModes[] = {CutMode::AtRandom, CutMode::ThroughVertex, CutMode::ThroughEdge, CutMode::OnFace};
+inline constexpr CutMode kCutModes[] = {CutMode::AtRandom, CutMode::ThroughVertex, CutMode::ThroughEdge,
+                                        CutMode::OnFace};
 inline constexpr const char* kCutModeNames[] = {"random", "vertex", "edge", "face"};
 
 /// One piece of a cut cube, or all of it. Edges of float pieces are moved into S exactly.
@@ -28,7 +29,8 @@ class CutCube {
     restart();
   }
 
-  /// Chooses a piece and a plane, cuts, and keeps both parts. The pieces are then `above` and `below`, `parent` the one before.
+  /// Chooses a piece and a plane, cuts, and keeps both parts. The pieces are then `above` and `below`, `parent` the one
+  /// before.
   SplitOutcome step() {
     if (isFull()) restart();
     chosen = random.nextBelow(static_cast<std::uint32_t>(count_));
@@ -136,7 +138,7 @@ A volumeOf(const ConvexT<S>& convex) {
   A sum = A(0);
   const ConvexViewT<S> view = convex.view();
   const Vec3T<S>& origin = convex.vertices[0].point;
-  const auto relative = [&](std::uint32_t edge, A (&out)[3]) {
+  const auto relative = [&](std::uint32_t edge, A(&out)[3]) {
     for (int i = 0; i < 3; ++i) out[i] = A(view.startOf(edge)[i]) - A(origin[i]);
   };
   for (const FaceT<S>& face : convex.faces) {
@@ -146,7 +148,8 @@ A volumeOf(const ConvexT<S>& convex) {
     relative(edge, b);
     for (edge = convex.edges[edge].next; edge != face.edge; edge = convex.edges[edge].next) {
       relative(edge, c);
-      sum += a[0] * A(b[1] * c[2] - b[2] * c[1]) + a[1] * A(b[2] * c[0] - b[0] * c[2]) + a[2] * A(b[0] * c[1] - b[1] * c[0]);
+      sum += a[0] * A(b[1] * c[2] - b[2] * c[1]) + a[1] * A(b[2] * c[0] - b[0] * c[2]) +
+             a[2] * A(b[0] * c[1] - b[1] * c[0]);
       for (int i = 0; i < 3; ++i) b[i] = c[i];
     }
   }

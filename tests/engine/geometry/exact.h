@@ -12,8 +12,12 @@ namespace brittle::geometry {
 
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
-inline Vec3T<Exact> exactOf(const Vec3& v) { return Vec3T<Exact>(Exact(v.x()), Exact(v.y()), Exact(v.z())); }
-inline PlaneT<Exact> exactOf(const Plane& plane) { return {exactOf(plane.normal), Exact(plane.offset)}; }
+inline Vec3T<Exact> exactOf(const Vec3& v) {
+  return Vec3T<Exact>(Exact(v.x()), Exact(v.y()), Exact(v.z()));
+}
+inline PlaneT<Exact> exactOf(const Plane& plane) {
+  return {exactOf(plane.normal), Exact(plane.offset)};
+}
 
 inline ConvexT<Exact> exactOf(const Convex& convex) {
   ConvexT<Exact> result;

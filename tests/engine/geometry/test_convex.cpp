@@ -61,13 +61,13 @@ TEST(Convex, RefusesAVertexOfDegreeTwo) {
 
 TEST(Convex, RefusesFacesThatMeetTwice) {
   // Two pairs of triangles, joined at the vertices 0 and 1 alone: without these two the graph falls apart.
-  const Convex mesh =
-      fromLoops(6, {{0, 2, 3}, {1, 3, 2}, {0, 4, 5}, {1, 5, 4}, {0, 3, 1, 4}, {0, 5, 1, 2}});
+  const Convex mesh = fromLoops(6, {{0, 2, 3}, {1, 3, 2}, {0, 4, 5}, {1, 5, 4}, {0, 3, 1, 4}, {0, 5, 1, 2}});
   EXPECT_STREQ(findTopologyError(mesh.view()), "two faces meet more than once");
 }
 
 TEST(Convex, RefusesTwoSolidsInOneMesh) {
-  const Convex mesh = fromLoops(8, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {4, 7, 6}});
+  const Convex mesh =
+      fromLoops(8, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {4, 7, 6}});
   EXPECT_STREQ(findTopologyError(mesh.view()), "Euler's identity fails");
 }
 

@@ -156,7 +156,8 @@ TEST(Make, HullDoesNotDependOnTheOrderOfPoints) {
 }
 
 TEST(Make, HullRefusesFlatAndBrokenInput) {
-  const Vec3 square[] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.5f, 0.5f, 0.0f}};
+  const Vec3 square[] = {
+      {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.5f, 0.5f, 0.0f}};
   EXPECT_EQ(makeHull(square).error().message, "a hull's points must not lie in one plane (5 points given)");
   EXPECT_EQ(makeHull(std::span(square, 3)).error().message, "a hull needs at least 4 points (3 points given)");
   const Vec3 same[] = {square[0], square[0], square[0], square[0]};

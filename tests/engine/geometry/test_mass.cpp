@@ -18,7 +18,9 @@ Quat drawRotation(Random& random) {
   return rotationAbout(normalizedOr(Vec3(x, y, z), Vec3::UnitX()), random.nextFloat(-3.0f, 3.0f));
 }
 
-bool isPositiveDefinite(const Mat3& inertia) { return mass_detail::smallestPivot(inertia.cast<double>()) > 0.0; }
+bool isPositiveDefinite(const Mat3& inertia) {
+  return mass_detail::smallestPivot(inertia.cast<double>()) > 0.0;
+}
 
 double relativeError(const Mat3& found, const Mat3d& expected) {
   return (found.cast<double>() - expected).norm() / expected.norm();

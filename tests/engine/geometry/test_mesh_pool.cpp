@@ -24,7 +24,8 @@ void expectHolds(const MeshPool& pool, MeshSlot slot, const Convex& convex) {
     ASSERT_EQ(view.vertices[i].slot, slot);
   }
   ASSERT_EQ(std::memcmp(view.edges.data(), convex.edges.data(), view.edges.size_bytes()), 0);
-  for (std::size_t i = 0; i < view.faces.size(); ++i) ASSERT_EQ(view.faces[i].plane.offset, convex.faces[i].plane.offset);
+  for (std::size_t i = 0; i < view.faces.size(); ++i)
+    ASSERT_EQ(view.faces[i].plane.offset, convex.faces[i].plane.offset);
 }
 
 std::vector<unsigned char> bytesOf(const MeshPool& pool) {

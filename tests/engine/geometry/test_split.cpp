@@ -11,8 +11,12 @@
 namespace brittle::geometry {
 namespace {
 
-bool isSame(const Vec3& a, const Vec3& b) { return std::memcmp(a.data(), b.data(), sizeof(float) * 3) == 0; }
-bool isSame(const Plane& a, const Plane& b) { return isSame(a.normal, b.normal) && a.offset == b.offset; }
+bool isSame(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(float) * 3) == 0;
+}
+bool isSame(const Plane& a, const Plane& b) {
+  return isSame(a.normal, b.normal) && a.offset == b.offset;
+}
 
 /// The corners of the last face, in loop order.
 std::vector<Vec3> capOf(const Convex& piece) {
@@ -26,7 +30,8 @@ std::vector<Vec3> capOf(const Convex& piece) {
   return corners;
 }
 
-/// Every vertex of the parent stands in one child, bit for bit, and both caps have the same corners, once round each way.
+/// Every vertex of the parent stands in one child, bit for bit, and both caps have the same corners, once round each
+/// way.
 void expectSharedVertices(const Convex& parent, const Convex& above, const Convex& below) {
   std::vector<Vec3> capAbove = capOf(above);
   const std::vector<Vec3> capBelow = capOf(below);
@@ -65,7 +70,8 @@ void expectInheritedPlanes(const Convex& parent, const Plane& plane, const Conve
 
 class SplitModes : public ::testing::TestWithParam<CutMode> {};
 
-// A million cuts of each kind. Where planes go through what is there already, a splitter that trusts its signs fails on 0.4 to 0.6 %.
+// A million cuts of each kind. Where planes go through what is there already, a splitter that trusts its signs fails on
+// 0.4 to 0.6 %.
 TEST_P(SplitModes, NeverBreaksAPiece) {
   CutCube<float> cube(GetParam(), 42);
   int splits = 0;
@@ -184,9 +190,10 @@ TEST(Split, RefusalsSayWhyAndWriteNothing) {
   Cutting c;
   const auto expect = [&](SplitOutcome outcome, float offset) {
     EXPECT_EQ(c.cut(box, {Vec3::UnitX(), offset}), outcome) << offset;
-    EXPECT_EQ(c.cut(box, {-Vec3::UnitX(), -offset}),
-              outcome == SplitOutcome::AllAbove ? SplitOutcome::AllBelow
-              : outcome == SplitOutcome::AllBelow && offset > 1.0f ? SplitOutcome::AllAbove : outcome);
+    EXPECT_EQ(c.cut(box, {-Vec3::UnitX(), -offset}), outcome == SplitOutcome::AllAbove ? SplitOutcome::AllBelow
+                                                     : outcome == SplitOutcome::AllBelow && offset > 1.0f
+                                                         ? SplitOutcome::AllAbove
+                                                         : outcome);
   };
   expect(SplitOutcome::AllBelow, 2.0f);
   expect(SplitOutcome::AllBelow, std::nextafter(1.0f, 2.0f));
@@ -251,8 +258,8 @@ TEST(Split, ShadesCutVerticesBetweenTheirEnds) {
   EXPECT_EQ(unshaded, 1);
 }
 
-// A cylinder of many sides gets a dome of planes that touch a sphere: each adds a face and takes none away, until 16 bits no longer
-// count the half-edges.
+// A cylinder of many sides gets a dome of planes that touch a sphere: each adds a face and takes none away, until 16
+// bits no longer count the half-edges.
 TEST(Split, RefusesWhenIndicesRunOut) {
   Convex body = makeCylinder(1.0f, 1.5f, 8000);
   Random random(47);
@@ -331,13 +338,13 @@ TEST(Split, AllocatesNothingWhenWarm) {
   CutCube<float> cube(CutMode::AtRandom, 50);
   Cutting c;
   c.cut(makeCylinder(1.0f, 1.0f, 100), {Vec3::UnitY(), 0.0f});
-  const void* const before[] = {c.above.vertices.data(), c.above.faces.data(),     c.above.edges.data(),
+  const void* const before[] = {c.above.vertices.data(),  c.above.faces.data(),   c.above.edges.data(),
                                 c.scratch.indices.data(), c.scratch.sides.data(), c.scratch.caps.data()};
   for (int i = 0; i < 1000; ++i) {
     cube.step();
     c.cut(cube.parent, cube.plane);
   }
-  const void* const after[] = {c.above.vertices.data(), c.above.faces.data(),     c.above.edges.data(),
+  const void* const after[] = {c.above.vertices.data(),  c.above.faces.data(),   c.above.edges.data(),
                                c.scratch.indices.data(), c.scratch.sides.data(), c.scratch.caps.data()};
   for (std::size_t i = 0; i < std::size(before); ++i) EXPECT_EQ(before[i], after[i]);
 }
