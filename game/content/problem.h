@@ -16,12 +16,14 @@ struct Problem {
   std::string value;     // as written; may be empty
   std::string expected;  // may be empty
 
-  /// "file:line: what, got 'value', expected ...".
+  /// One line: "file:line: what, got 'value', expected ...".
   std::string text() const {
-    std::string line_ = errorAt(file, line, what).message;
-    if (!value.empty()) line_ += ", got '" + value.substr(0, 80) + "'";
-    if (!expected.empty()) line_ += ", expected " + expected;
-    return line_;
+    std::string message = errorAt(file, line, what).message;
+    if (!value.empty()) message += ", got '" + value.substr(0, 80) + "'";
+    if (!expected.empty()) message += ", expected " + expected;
+    for (char& c : message)
+      if (static_cast<unsigned char>(c) < 32) c = ' ';  // a value may hold line ends
+    return message;
   }
 };
 

@@ -112,6 +112,8 @@ TEST(Tables, LengthDependsOnContentsAlone) {
   const double built = numberOf("(function() local t = {} " + holes + " return #t end)()");
   EXPECT_EQ(numberOf("(function() local t = {} t[20] = 20 t[4] = 4 t[3] = 3 t[2] = 2 t[1] = 1 return #t end)()"), built);
   EXPECT_EQ(numberOf("(function() local t = {1, 2, 3, 4} t[20] = 20 return #t end)()"), built);
+  // Lua itself says 5 for the first and 3 for the second
+  EXPECT_EQ(numberOf("#{1, 2, 3, nil, 5}"), numberOf("(function() local t = {} t[1] = 1 t[2] = 2 t[3] = 3 t[5] = 5 return #t end)()"));
 }
 
 TEST(Tables, InsertRemoveConcatUnpackSort) {
