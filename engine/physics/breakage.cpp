@@ -25,7 +25,8 @@ struct Swap {
   std::vector<fracture::Part> parts;
   std::vector<BodyHandle> bodyOfGroup;
   std::vector<ShapeHandle> shapeOfPiece;
-  std::vector<ShapeHandle> piecesOfShape;
+  std::vector<ShapeHandle> piecesOfShape;  // that joints may go with
+  std::vector<bool> isCarvedOut;           // per group: fragments only, and not what stays
 };
 
 Swap& scratch() {
@@ -61,9 +62,12 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
   std::vector<bool>& hasFragments = state.groupFlags;
   hasFragments.assign(result.groups.size(), false);
   for (const Piece& piece : result.pieces) hasFragments[piece.group] = hasFragments[piece.group] || piece.isFragment;
+  swap.isCarvedOut.assign(result.groups.size(), true);
+  for (const Piece& piece : result.pieces) swap.isCarvedOut[piece.group] = swap.isCarvedOut[piece.group] && piece.isFragment;
   for (std::uint32_t g = 0; g < result.groups.size(); ++g) {
     const fracture::Group& group = result.groups[g];
     if (group.keepsBody) {
+      swap.isCarvedOut[g] = false;
       swap.bodyOfGroup.push_back(old);
       continue;
     }
@@ -114,7 +118,7 @@ void placePieces(State& state, const Fracture& result, std::size_t first, std::s
     }
     state.shapes[shape].anchored = piece.anchored;
     swap.shapeOfPiece[i] = shape;
-    swap.piecesOfShape.push_back(shape);
+    if (!swap.isCarvedOut[piece.group]) swap.piecesOfShape.push_back(shape);
   }
   if (!result.pieces[heir].isWhole)
     moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()), kCrackSlop);

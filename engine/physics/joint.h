@@ -155,7 +155,8 @@ class JointSolver {
 
 /// After `source` was replaced by pieces (still in the local frame of its body): joints whose anchor lay in `source` move to the
 /// piece that contains the anchor (ties: the first), else to the nearest within `slop` [m] (anchors that stood off the shape when
-/// created: within that distance more), else are removed. `source` may be among the pieces. Returns how many were removed.
+/// created: within that distance more), else are removed. `source` may be among the pieces; fragments that fly off are not, so a
+/// joint whose anchor is carved out is gone. Returns how many were removed.
 std::uint32_t moveJoints(State& state, ShapeHandle source, const ShapeHandle* pieces, std::uint32_t count, float slop);
 
 /// True if a joint with collideConnected off holds the two bodies together. Linear in the number of joints.

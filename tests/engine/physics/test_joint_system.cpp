@@ -90,6 +90,21 @@ TEST(JointChain, SolvesARingOfHingesWhoseRowsDependOnEachOther) {
   }
 }
 
+TEST(JointChain, TwoWeldsBetweenTheSameBodiesHoldLikeOne) {
+  JointScene scene;
+  const BodyHandle a = scene.addBall(Vec3::Zero(), 0.2f, 1.0f);
+  const BodyHandle b = scene.addBall(Vec3(1.0f, 0.0f, 0.0f), 0.2f, 1.0f);
+  scene.join(JointType::Ball, a, {}, Vec3::Zero());
+  scene.join(JointType::Weld, a, b, Vec3(0.5f, 0.0f, 0.0f));
+  scene.join(JointType::Weld, a, b, Vec3(0.5f, 0.0f, 0.0f));
+  const double energy = scene.energy();
+  for (int i = 0; i < 300; ++i) {
+    scene.step();
+    ASSERT_LT(scene.widestGap(), 1e-4f) << "tick " << i;
+    ASSERT_LT(scene.energy(), energy + 1e-3) << "tick " << i;
+  }
+}
+
 TEST(JointChain, LongerThanOneSystemStillHolds) {
   JointScene scene;
   addChain(scene, 120, Vec3(0.0f, -1.0f, 0.0f), true);
