@@ -98,10 +98,10 @@ TEST(JointChain, TwoWeldsBetweenTheSameBodiesHoldLikeOne) {
   scene.join(JointType::Weld, a, b, Vec3(0.5f, 0.0f, 0.0f));
   scene.join(JointType::Weld, a, b, Vec3(0.5f, 0.0f, 0.0f));
   const double energy = scene.energy();
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 600; ++i) {
     scene.step();
     ASSERT_LT(scene.widestGap(), 1e-4f) << "tick " << i;
-    ASSERT_LT(scene.energy(), energy + 1e-3) << "tick " << i;
+    ASSERT_LT(scene.energy(), energy + 0.1) << "tick " << i;  // of 10 J; velocities are half a tick ahead of positions
   }
 }
 
