@@ -1,5 +1,8 @@
 #include "engine/physics/solver.h"
 
+#include <algorithm>
+
+#include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
 #include "engine/physics/state.h"
 
@@ -70,9 +73,14 @@ void ContactSolver::storeBodies(State& state) const {
 }
 
 void ContactSolver::prepare(State& state, float dt, bool warmStart) {
+  singles_.clear();
+  groups_.clear();
+  findLightBodies(state);
+  for (std::uint32_t light = 0; light < isLight_.size(); ++light)
+    if (isLight_[light] != 0) buildBlock(state, light, dt);
+  buildStrikes(state, dt);
   colorContacts(state);
   buildBatches(state, dt);
-  buildStrikes(state, dt);
   if (warmStart) warmStartRows(state);
 }
 
@@ -81,7 +89,7 @@ void ContactSolver::colorContacts(State& state) {
   for (auto& list : byColor_) list.clear();
   colorMasks_.assign(bodies_->size(), 0);
   state.contacts.forEach([&](ContactHandle handle, Contact& contact) {
-    if (contact.manifold.count == 0 || contact.strike != kNoStrike) return;
+    if (contact.manifold.count == 0 || contact.strike != kNoStrike || contact.solvedAlone) return;
     const std::uint32_t a = state.shapes[contact.a].body.index;
     const std::uint32_t b = state.shapes[contact.b].body.index;
     const bool movesA = (*bodies_)[a].invMass > 0.0f;
@@ -122,21 +130,76 @@ void ContactSolver::buildBatches(State& state, float dt) {
   }
 }
 
+/// A body is light if something much heavier that moves pushes it: impulses through it would creep.
+void ContactSolver::findLightBodies(State& state) {
+  isLight_.assign(bodies_->size(), 0);
+  const float ratio = state.accuracy.directSolveMassRatio;
+  state.contacts.forEach([&](ContactHandle, Contact& contact) {
+    contact.solvedAlone = false;
+    if (contact.manifold.count == 0 || ratio <= 0.0f) return;
+    const std::uint32_t a = state.shapes[contact.a].body.index;
+    const std::uint32_t b = state.shapes[contact.b].body.index;
+    const float invMassA = (*bodies_)[a].invMass;
+    const float invMassB = (*bodies_)[b].invMass;
+    if (invMassA == 0.0f || invMassB == 0.0f) return;
+    if (invMassA > ratio * invMassB) isLight_[a] = 1;
+    if (invMassB > ratio * invMassA) isLight_[b] = 1;
+  });
+}
+
+void ContactSolver::addSingle(State& state, std::uint32_t slot, float dt) {
+  Contact& contact = state.contacts.at(slot);
+  contact.solvedAlone = true;
+  Single& single = singles_.emplace_back();
+  single.contact = slot;
+  single.strike = contact.strike;
+  single.bodyA = state.shapes[contact.a].body.index;
+  single.bodyB = state.shapes[contact.b].body.index;
+  single.points = contact.manifold.count;
+  const bool touching = contact.strike != kNoStrike && state.strikes.list[contact.strike].touching;
+  fillLane(state, contact, touching ? GapRule::Touching : GapRule::Speculative, dt, 0, single.rows);
+}
+
+/// The contacts of a light body that is squeezed, that is, touched by more than one other; strikes kept together.
+void ContactSolver::buildBlock(State& state, std::uint32_t light, float dt) {
+  blockContacts_.clear();
+  int rows = 0;
+  bool squeezed = false;
+  std::uint32_t firstOther = kNobody;
+  forEachShape(state, state.bodies.at(light), [&](ShapeHandle, const Shape& shape) {
+    forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
+      const Contact& contact = state.contacts.at(slot);
+      const bool waits = contact.strike != kNoStrike && !state.strikes.list[contact.strike].active;
+      if (contact.manifold.count == 0 || contact.solvedAlone || waits) return true;
+      const std::uint32_t other = state.shapes[side == 0 ? contact.b : contact.a].body.index;
+      squeezed = squeezed || (firstOther != kNobody && other != firstOther);
+      firstOther = other;
+      rows += contact.manifold.count;
+      blockContacts_.push_back(slot);
+      return true;
+    });
+  });
+  if (!squeezed || rows > kMaxBlockRows) return;
+  std::sort(blockContacts_.begin(), blockContacts_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t strikeA = state.contacts.at(a).strike;
+    const std::uint32_t strikeB = state.contacts.at(b).strike;
+    return strikeA != strikeB ? strikeA < strikeB : a < b;
+  });
+  const auto first = static_cast<std::uint32_t>(singles_.size());
+  for (const std::uint32_t slot : blockContacts_) addSingle(state, slot, dt);
+  groups_.push_back({first, static_cast<std::uint32_t>(singles_.size()), light});
+}
+
 void ContactSolver::buildStrikes(State& state, float dt) {
-  singles_.clear();
-  for (std::uint32_t s = 0; s < state.strikes.list.size(); ++s) {
-    const Strike& strike = state.strikes.list[s];
+  for (const Strike& strike : state.strikes.list) {
     if (!strike.active) continue;
+    const auto first = static_cast<std::uint32_t>(singles_.size());
     for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
-      Single& single = singles_.emplace_back();
-      single.contact = state.strikes.contacts[strike.firstContact + i];
-      const Contact& contact = state.contacts.at(single.contact);
-      single.strike = s;
-      single.bodyA = state.shapes[contact.a].body.index;
-      single.bodyB = state.shapes[contact.b].body.index;
-      single.points = contact.manifold.count;
-      fillLane(state, contact, strike.touching ? GapRule::Touching : GapRule::Speculative, dt, 0, single.rows);
+      const std::uint32_t slot = state.strikes.contacts[strike.firstContact + i];
+      if (!state.contacts.at(slot).solvedAlone) addSingle(state, slot, dt);
     }
+    const auto end = static_cast<std::uint32_t>(singles_.size());
+    if (end > first) groups_.push_back({first, end, kNobody});
   }
 }
 
@@ -158,7 +221,7 @@ void ContactSolver::solve(State& state, int iterations) {
   for (int i = 0; i < iterations; ++i) {
     state.jointSolver.solve(bodies_->data());
     solveBatches();
-    solveStrikes(state);
+    solveGroups(state);
   }
 }
 
@@ -172,48 +235,63 @@ void ContactSolver::solveBatches() {
   }
 }
 
-// Normals of a whole strike first, then its cap, then friction within what the cap left.
-void ContactSolver::solveStrikes(State& state) {
-  std::size_t first = 0;
-  while (first < singles_.size()) {
-    const std::uint32_t s = singles_[first].strike;
-    std::size_t end = first;
-    for (; end < singles_.size() && singles_[end].strike == s; ++end) {
-      Single& single = singles_[end];
-      PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
-      single.rows.solveNormals(single.points, v);
-      physics::store(*bodies_, single.bodyA, single.bodyB, v);
-    }
-    capStrike(state, first, end);
-    for (std::size_t i = first; i < end; ++i) {
+float ContactSolver::sumOf(std::uint32_t first, std::uint32_t end) const {
+  float sum = 0.0f;
+  for (std::uint32_t i = first; i < end; ++i) sum += singles_[i].rows.normalSum();
+  return sum;
+}
+
+void ContactSolver::solveGroups(State& state) {
+  for (const Group& group : groups_) {
+    if (group.light != kNobody) solveLightBody(state, group);
+    else solveStrike(state, group);
+    for (std::uint32_t i = group.first; i < group.end; ++i) {
       PairVelocity<float> v = load(*bodies_, singles_[i].bodyA, singles_[i].bodyB);
       singles_[i].rows.solveFriction(v);
       physics::store(*bodies_, singles_[i].bodyA, singles_[i].bodyB, v);
     }
-    first = end;
   }
 }
 
-// What the other bodies of the same budget (a striker and its fresh pieces) spend on the same struck body [N s]. The list is sorted,
-// so they stand beside it.
-float ContactSolver::spentByPartners(const std::vector<Strike>& list, std::size_t s) {
-  const auto isPartner = [&](std::size_t i) { return list[i].striker == list[s].striker && list[i].struck == list[s].struck; };
-  float spent = 0.0f;
-  for (std::size_t i = s; i > 0 && isPartner(i - 1); --i) spent += list[i - 1].impulse;
-  for (std::size_t i = s + 1; i < list.size() && isPartner(i); ++i) spent += list[i].impulse;
-  return spent;
+void ContactSolver::solveLightBody(State& state, const Group& group) {
+  limits_.clear();
+  for (std::uint32_t first = group.first; first < group.end;) {
+    std::uint32_t end = first + 1;
+    while (end < group.end && singles_[end].strike == singles_[first].strike) ++end;
+    const std::uint32_t s = singles_[first].strike;
+    if (s != kNoStrike) {
+      Strike& strike = state.strikes.list[s];
+      strike.impulse -= sumOf(first, end);
+      const float left = strike.capacity - spentByPartners(state.strikes, s) - strike.impulse;
+      limits_.push_back({first - group.first, end - group.first, strike.isCapped ? maxOf(left, 0.0f) : 3.0e38f});
+    }
+    first = end;
+  }
+  solveBlock(group.light, &singles_[group.first], group.end - group.first, limits_.data(),
+             static_cast<std::uint32_t>(limits_.size()), *bodies_);
+  for (const BlockLimit& limit : limits_)
+    state.strikes.list[singles_[group.first + limit.first].strike].impulse += sumOf(group.first + limit.first, group.first + limit.end);
 }
 
-// Scales all points alike, so that a flat hit is capped without being turned.
-void ContactSolver::capStrike(State& state, std::size_t first, std::size_t end) {
-  Strike& strike = state.strikes.list[singles_[first].strike];
-  float sum = 0.0f;
-  for (std::size_t i = first; i < end; ++i) sum += singles_[i].rows.normalSum();
-  const float capacity = maxOf(strike.capacity - spentByPartners(state.strikes.list, singles_[first].strike), 0.0f);
-  strike.impulse = minOf(sum, capacity);
-  if (sum <= capacity || !strike.isCapped) return;
-  const float scale = capacity / sum;
-  for (std::size_t i = first; i < end; ++i) {
+// Normals of a whole strike first, then its cap, which scales all points alike, so that a flat hit is capped without being turned.
+void ContactSolver::solveStrike(State& state, const Group& group) {
+  const std::uint32_t s = singles_[group.first].strike;
+  Strike& strike = state.strikes.list[s];
+  strike.impulse -= sumOf(group.first, group.end);
+  for (std::uint32_t i = group.first; i < group.end; ++i) {
+    Single& single = singles_[i];
+    PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
+    single.rows.solveNormals(single.points, v);
+    physics::store(*bodies_, single.bodyA, single.bodyB, v);
+  }
+  const float sum = sumOf(group.first, group.end);
+  const float left = maxOf(strike.capacity - spentByPartners(state.strikes, s) - strike.impulse, 0.0f);
+  if (sum > left && strike.isCapped) scaleNormals(group, left / sum);
+  strike.impulse += sumOf(group.first, group.end);
+}
+
+void ContactSolver::scaleNormals(const Group& group, float scale) {
+  for (std::uint32_t i = group.first; i < group.end; ++i) {
     Single& single = singles_[i];
     PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
     for (int p = 0; p < single.points; ++p) {

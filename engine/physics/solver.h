@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/physics/contact_block.h"
 #include "engine/physics/contact_rows.h"
 
 namespace brittle::physics {
 
 struct State;
-struct Strike;
 
 /// How the rows of a contact with a breakable body treat a gap.
 enum class GapRule : std::uint8_t {
@@ -43,26 +43,37 @@ class ContactSolver {
     int lanes = 0;
     int points = 0;
   };
-  struct Single {
-    ContactRows<float> rows;
-    std::uint32_t bodyA = 0, bodyB = 0, contact = 0, strike = 0;
-    int points = 0;
+  /// Singles solved together: a light body's, or a strike's.
+  struct Group {
+    std::uint32_t first = 0, end = 0;
+    std::uint32_t light = kNobody;
   };
+  static constexpr std::uint32_t kNobody = 0xffffffff;
+
   void colorContacts(State& state);
   void buildBatches(State& state, float dt);
+  void findLightBodies(State& state);
+  void buildBlock(State& state, std::uint32_t light, float dt);
   void buildStrikes(State& state, float dt);
+  void addSingle(State& state, std::uint32_t contact, float dt);
   void warmStartRows(State& state);
   void solveBatches();
-  void solveStrikes(State& state);
-  static float spentByPartners(const std::vector<Strike>& list, std::size_t s);
-  void capStrike(State& state, std::size_t first, std::size_t end);
+  void solveGroups(State& state);
+  void solveLightBody(State& state, const Group& group);
+  void solveStrike(State& state, const Group& group);
+  void scaleNormals(const Group& group, float scale);
+  float sumOf(std::uint32_t first, std::uint32_t end) const;
 
   static constexpr int kColors = 24;  // beyond, contacts are solved one lane at a time
   std::vector<SolverBody>* bodies_ = nullptr;
   std::vector<std::uint32_t> colorMasks_;                 // by body slot
   std::vector<std::uint32_t> byColor_[kColors + 1];       // contact slots
   std::vector<Batch> batches_;
-  std::vector<Single> singles_;                           // grouped by strike
+  std::vector<Single> singles_;
+  std::vector<Group> groups_;
+  std::vector<std::uint8_t> isLight_;                     // by body slot
+  std::vector<std::uint32_t> blockContacts_;
+  std::vector<BlockLimit> limits_;
   std::uint32_t batchCount_ = 0;
 };
 

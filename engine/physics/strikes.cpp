@@ -215,6 +215,16 @@ void removeContactImpulses(State& state, const Strike& strike) {
 
 }  // namespace
 
+// The list is sorted, so partners stand beside each other.
+float spentByPartners(const Strikes& strikes, std::size_t s) {
+  const std::vector<Strike>& list = strikes.list;
+  const auto isPartner = [&](std::size_t i) { return list[i].striker == list[s].striker && list[i].struck == list[s].struck; };
+  float spent = 0.0f;
+  for (std::size_t i = s; i > 0 && isPartner(i - 1); --i) spent += list[i - 1].impulse;
+  for (std::size_t i = s + 1; i < list.size() && isPartner(i); ++i) spent += list[i].impulse;
+  return spent;
+}
+
 void fadeBudgets(State& state, float dt) {
   const float keep = maxOf(0.0f, 1.0f - 60.0f * dt);
   std::erase_if(state.budgets, [&](Budget& budget) {
@@ -248,7 +258,8 @@ void limitImpulses(State& state, float dt) {
 
 bool findSaturated(State& state) {
   bool any = false;
-  for (Strike& strike : state.strikes.list) {
+  for (std::size_t s = 0; s < state.strikes.list.size(); ++s) {
+    Strike& strike = state.strikes.list[s];
     if (!strike.active) continue;
     float left = 0.0f;
     for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
@@ -260,7 +271,7 @@ bool findSaturated(State& state) {
         left = maxOf(left, contact.manifold.normal.dot(a.velocityAt(at - a.center) - b.velocityAt(at - b.center)));
       }
     }
-    const bool spentAll = strike.impulse >= strike.capacity * (1.0f - 1e-6f);
+    const bool spentAll = strike.impulse + spentByPartners(state.strikes, s) >= strike.capacity * (1.0f - 1e-6f);
     const bool stopped = left <= kResidual * strike.approachSpeed;
     const bool inStep = state.accuracy.fractureMode == FractureMode::InStep;
     strike.saturated = spentAll && (!stopped || !strike.isCapped) && (strike.touching || !inStep);
@@ -276,7 +287,7 @@ bool advanceStrikers(State& state, float dt) {
   if (state.accuracy.fractureMode != FractureMode::InStep) return false;
   for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
     const Strike& strike = state.strikes.list[i];
-    const bool capped = strike.active && strike.impulse >= strike.capacity * (1.0f - 1e-6f);
+    const bool capped = strike.active && strike.impulse + spentByPartners(state.strikes, i) >= strike.capacity * (1.0f - 1e-6f);
     if (strike.touching || (strike.active && !capped) || strike.capacity <= 0.0f) continue;
     const float time = timeReached(state, strike, dt);
     if (time >= 0.0f) arrivals.push_back({i, sweptBody(state, strike), time});

@@ -96,6 +96,9 @@ struct Held {
   }
 };
 
+/// What the other bodies of the same budget (a striker and its fresh pieces) spend on the same struck body. [N s]
+float spentByPartners(const Strikes& strikes, std::size_t strike);
+
 /// Lets last tick's spending fade: what counts is the last 1/60 s, whatever dt is. Once a tick.
 void fadeBudgets(State& state, float dt);
 /// Adds to what `striker` has spent on `struck`.

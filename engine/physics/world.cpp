@@ -57,6 +57,7 @@ void step(State& state, float dt) {
   solveAndBreak(state, dt);
   holdSaturated(state, dt);
   state.contactSolver.applyRestitution(state);
+  state.contactSolver.storeBodies(state);
   chargeStrikes(state, dt);
   integratePositions(state, dt);
   correctPositions(state);

@@ -1,0 +1,205 @@
+#include "engine/physics/contact_block.h"
+
+#include "engine/math/types.h"
+
+namespace brittle::physics {
+namespace {
+
+constexpr double kSoftness = 1e-9;  // of the diagonal: four points under one face are redundant, this makes them share
+constexpr int kMaxPivots = 24;
+
+/// One normal row of the block.
+struct BlockRow {
+  std::uint32_t single = 0;
+  int point = 0;
+  bool fixed = false;    // at its limit: known, not solved for
+  bool active = false;   // its impulse is positive
+  double impulse = 0.0;
+};
+
+struct Block {
+  BlockRow rows[kMaxBlockRows];
+  double matrix[kMaxBlockRows][kMaxBlockRows];  // speed of row i per impulse of row j
+  double free[kMaxBlockRows];                   // speed above target with no impulse in the block
+  int count = 0;
+};
+
+Vec3 narrow(const Wide3<float>& v) { return Vec3(v.x, v.y, v.z); }
+
+double dotOf(const Wide3<float>& a, const Vec3& b) {
+  return static_cast<double>(a.x) * b.x() + static_cast<double>(a.y) * b.y() + static_cast<double>(a.z) * b.z();
+}
+
+/// What a unit impulse of row j does to the velocity of one body, seen along row i of the same body.
+double coupling(const Single& a, const Row<float>& rowA, std::uint32_t body, const Single& b, const Row<float>& rowB) {
+  double sum = 0.0;
+  const Vec3 normalB = narrow(b.rows.normal);
+  const bool onA[2] = {a.bodyA == body, b.bodyA == body};
+  const float invMass = onA[1] ? b.rows.invMassA : b.rows.invMassB;
+  const double sign = onA[0] == onA[1] ? 1.0 : -1.0;
+  sum += static_cast<double>(invMass) * dotOf(a.rows.normal, normalB);
+  sum += dotOf(onA[0] ? rowA.angularA : rowA.angularB, narrow(onA[1] ? rowB.turnA : rowB.turnB));
+  return sign * sum;
+}
+
+double entry(const Single& a, const Row<float>& rowA, const Single& b, const Row<float>& rowB) {
+  double sum = 0.0;
+  if (a.bodyA == b.bodyA || a.bodyA == b.bodyB) sum += coupling(a, rowA, a.bodyA, b, rowB);
+  if (a.bodyB == b.bodyA || a.bodyB == b.bodyB) sum += coupling(a, rowA, a.bodyB, b, rowB);
+  return sum;
+}
+
+double speedOf(const Single& single, const Row<float>& row, const std::vector<SolverBody>& bodies) {
+  const SolverBody& a = bodies[single.bodyA];
+  const SolverBody& b = bodies[single.bodyB];
+  return dotOf(single.rows.normal, b.velocity) - dotOf(single.rows.normal, a.velocity) + dotOf(row.angularB, b.angularVelocity) -
+         dotOf(row.angularA, a.angularVelocity);
+}
+
+void build(const Single* singles, std::uint32_t count, const std::vector<SolverBody>& bodies, Block& block) {
+  block.count = 0;
+  for (std::uint32_t s = 0; s < count; ++s)
+    for (int p = 0; p < singles[s].points; ++p)
+      block.rows[block.count++] = {s, p, false, false, static_cast<double>(singles[s].rows.point[p].impulse)};
+  for (int i = 0; i < block.count; ++i) {
+    const Single& a = singles[block.rows[i].single];
+    const Row<float>& rowA = a.rows.point[block.rows[i].point];
+    for (int j = 0; j <= i; ++j) {
+      const Single& b = singles[block.rows[j].single];
+      block.matrix[i][j] = block.matrix[j][i] = entry(a, rowA, b, b.rows.point[block.rows[j].point]);
+    }
+  }
+  for (int i = 0; i < block.count; ++i) {
+    const Single& a = singles[block.rows[i].single];
+    block.free[i] = speedOf(a, a.rows.point[block.rows[i].point], bodies) - static_cast<double>(a.rows.target[block.rows[i].point]);
+    for (int j = 0; j < block.count; ++j) block.free[i] -= block.matrix[i][j] * block.rows[j].impulse;
+    block.rows[i].active = block.rows[i].impulse > 0.0 || block.free[i] < 0.0;
+  }
+}
+
+/// The impulses of the active rows that bring each exactly to its target, the fixed ones as they are. LDL^T in place.
+void solveActive(Block& block) {
+  int index[kMaxBlockRows];
+  int n = 0;
+  for (int i = 0; i < block.count; ++i)
+    if (block.rows[i].active && !block.rows[i].fixed) index[n++] = i;
+  double l[kMaxBlockRows][kMaxBlockRows];
+  double d[kMaxBlockRows];
+  double x[kMaxBlockRows];
+  for (int i = 0; i < n; ++i) {
+    x[i] = -block.free[index[i]];
+    for (int j = 0; j < block.count; ++j)
+      if (block.rows[j].fixed) x[i] -= block.matrix[index[i]][j] * block.rows[j].impulse;
+  }
+  for (int j = 0; j < n; ++j) {
+    double pivot = block.matrix[index[j]][index[j]] * (1.0 + kSoftness);
+    for (int k = 0; k < j; ++k) pivot -= l[j][k] * l[j][k] * d[k];
+    d[j] = maxOf(pivot, block.matrix[index[j]][index[j]] * kSoftness);
+    for (int i = j + 1; i < n; ++i) {
+      double sum = block.matrix[index[i]][index[j]];
+      for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k] * d[k];
+      l[i][j] = sum / d[j];
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < i; ++k) x[i] -= l[i][k] * x[k];
+  for (int i = 0; i < n; ++i) x[i] /= d[i];
+  for (int i = n - 1; i >= 0; --i)
+    for (int k = i + 1; k < n; ++k) x[i] -= l[k][i] * x[k];
+  for (int i = 0; i < block.count; ++i)
+    if (!block.rows[i].fixed) block.rows[i].impulse = 0.0;
+  for (int i = 0; i < n; ++i) block.rows[index[i]].impulse = x[i];
+}
+
+/// Drops every pulling row; if none pulls, takes in the row that closes fastest. False: done.
+bool pivot(Block& block) {
+  bool dropped = false;
+  for (int i = 0; i < block.count; ++i) {
+    if (block.rows[i].fixed || !block.rows[i].active || block.rows[i].impulse >= 0.0) continue;
+    block.rows[i].active = false;
+    dropped = true;
+  }
+  if (dropped) return true;
+  int worst = -1;
+  double slowest = -1e-9;
+  for (int i = 0; i < block.count; ++i) {
+    if (block.rows[i].fixed || block.rows[i].active) continue;
+    double speed = block.free[i];
+    for (int j = 0; j < block.count; ++j) speed += block.matrix[i][j] * block.rows[j].impulse;
+    if (speed >= slowest) continue;
+    slowest = speed;
+    worst = i;
+  }
+  if (worst >= 0) block.rows[worst].active = true;
+  return worst >= 0;
+}
+
+void solveRows(Block& block) {
+  for (int i = 0; i < kMaxPivots; ++i) {
+    solveActive(block);
+    if (!pivot(block)) return;
+  }
+  for (int i = 0; i < block.count; ++i)  // cycling: keep what pushes
+    if (block.rows[i].impulse < 0.0) block.rows[i].impulse = 0.0;
+}
+
+bool applyLimits(const BlockLimit* limits, std::uint32_t limitCount, Block& block) {
+  bool exceeded = false;
+  for (std::uint32_t k = 0; k < limitCount; ++k) {
+    double sum = 0.0;
+    bool fixed = false;
+    for (int i = 0; i < block.count; ++i) {
+      if (block.rows[i].single < limits[k].first || block.rows[i].single >= limits[k].end) continue;
+      sum += block.rows[i].impulse;
+      fixed = fixed || block.rows[i].fixed;
+    }
+    if (fixed || sum <= static_cast<double>(limits[k].capacity)) continue;
+    exceeded = true;
+    const double scale = static_cast<double>(limits[k].capacity) / sum;
+    for (int i = 0; i < block.count; ++i) {
+      if (block.rows[i].single < limits[k].first || block.rows[i].single >= limits[k].end) continue;
+      block.rows[i].fixed = true;
+      block.rows[i].impulse *= scale;
+    }
+  }
+  return exceeded;
+}
+
+/// Applies the new impulses. The light body's large opposite ones are summed in double, so that what is left of them is right.
+void applyRows(const Block& block, std::uint32_t light, Single* singles, std::vector<SolverBody>& bodies) {
+  Vec3d linear = bodies[light].velocity.cast<double>();
+  Vec3d angular = bodies[light].angularVelocity.cast<double>();
+  const auto add = [&](std::uint32_t index, const Vec3& change, const Vec3& turn, double impulse) {
+    if (index == light) {
+      linear += change.cast<double>() * impulse;
+      angular += turn.cast<double>() * impulse;
+    } else {
+      bodies[index].velocity += change * static_cast<float>(impulse);
+      bodies[index].angularVelocity += turn * static_cast<float>(impulse);
+    }
+  };
+  for (int i = 0; i < block.count; ++i) {
+    Single& single = singles[block.rows[i].single];
+    Row<float>& row = single.rows.point[block.rows[i].point];
+    const double change = block.rows[i].impulse - static_cast<double>(row.impulse);
+    const Vec3 normal = narrow(single.rows.normal);
+    row.impulse = static_cast<float>(block.rows[i].impulse);
+    add(single.bodyA, Vec3(-normal * single.rows.invMassA), Vec3(-narrow(row.turnA)), change);
+    add(single.bodyB, Vec3(normal * single.rows.invMassB), narrow(row.turnB), change);
+  }
+  bodies[light].velocity = linear.cast<float>();
+  bodies[light].angularVelocity = angular.cast<float>();
+}
+
+}  // namespace
+
+void solveBlock(std::uint32_t light, Single* singles, std::uint32_t count, const BlockLimit* limits, std::uint32_t limitCount,
+                std::vector<SolverBody>& bodies) {
+  Block block;
+  build(singles, count, bodies, block);
+  solveRows(block);
+  while (applyLimits(limits, limitCount, block)) solveRows(block);
+  applyRows(block, light, singles, bodies);
+}
+
+}  // namespace brittle::physics
