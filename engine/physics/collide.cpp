@@ -102,7 +102,7 @@ void updateContactAt(State& state, ContactHandle handle, float dt) {
 }  // namespace
 
 float contactSlop(const Shape& a, const Shape& b) {
-  return clampTo(0.02f * minOf(a.innerRadius, b.innerRadius), 1e-5f, 0.002f);
+  return clampTo(0.01f * minOf(a.innerRadius, b.innerRadius), 1e-5f, 0.0005f);
 }
 
 void insertProxy(State& state, ShapeHandle handle) {
@@ -128,6 +128,7 @@ void detectCollisions(State& state, float dt) {
     Contact& contact = state.contacts.at(slot);
     contact.reached = false;
     contact.passable = false;
+    contact.waits = false;
     contact.strike = kNoStrike;
     contact.manifold.seeded = false;
     const bool awake = state.bodyOf(state.shapes[contact.a]).awake || state.bodyOf(state.shapes[contact.b]).awake;

@@ -19,6 +19,7 @@ struct Contact {
   float approach[kMaxPoints] = {};      // this tick, before the solver: closing speed per point [m/s]
   bool passable = false;                // this tick: its strike has paid all it can, the way is free
   bool solvedAlone = false;             // this pass: not in a batch
+  bool waits = false;                   // this tick: only a sweep may close its gap, no impulse acts through it
   bool reached = false;                 // this tick: a sweep has closed its gap
   std::uint32_t strike = 0xffffffff;    // this tick: index of its strike, or kNoStrike
   std::uint32_t next[2] = {0, 0};       // lists of shape a and shape b: contact slot * 2 + side, or kNoProxy

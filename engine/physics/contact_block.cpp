@@ -5,7 +5,9 @@
 namespace brittle::physics {
 namespace {
 
-constexpr double kSoftness = 1e-9;  // of the diagonal: four points under one face are redundant, this makes them share
+// Each solve is held to the impulses it starts from by this part of the diagonal. Four points under one face are redundant, and rows in
+// single precision make their matrix indefinite by 1e-7 of it; what this leaves undone the next sweep does.
+constexpr double kSoftness = 1e-5;
 constexpr int kMaxPivots = 24;
 
 /// One normal row of the block.
@@ -14,6 +16,7 @@ struct BlockRow {
   int point = 0;
   bool fixed = false;    // at its limit: known, not solved for
   bool active = false;   // its impulse is positive
+  double start = 0.0;    // impulse before [N s]
   double impulse = 0.0;
 };
 
@@ -60,7 +63,10 @@ void build(const Single* singles, std::uint32_t count, const std::vector<SolverB
   block.count = 0;
   for (std::uint32_t s = 0; s < count; ++s)
     for (int p = 0; p < singles[s].points; ++p)
-      block.rows[block.count++] = {s, p, false, false, static_cast<double>(singles[s].rows.point[p].impulse)};
+      {
+      const double impulse = static_cast<double>(singles[s].rows.point[p].impulse);
+      block.rows[block.count++] = {s, p, false, false, impulse, impulse};
+    }
   for (int i = 0; i < block.count; ++i) {
     const Single& a = singles[block.rows[i].single];
     const Row<float>& rowA = a.rows.point[block.rows[i].point];
@@ -87,7 +93,7 @@ void solveActive(Block& block) {
   double d[kMaxBlockRows];
   double x[kMaxBlockRows];
   for (int i = 0; i < n; ++i) {
-    x[i] = -block.free[index[i]];
+    x[i] = kSoftness * block.matrix[index[i]][index[i]] * block.rows[index[i]].start - block.free[index[i]];
     for (int j = 0; j < block.count; ++j)
       if (block.rows[j].fixed) x[i] -= block.matrix[index[i]][j] * block.rows[j].impulse;
   }

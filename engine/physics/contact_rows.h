@@ -57,9 +57,10 @@ struct ContactRows {
     v.angularB = v.angularB + twistTurnB * twistImpulse;
   }
 
-  void solveNormals(int count, PairVelocity<N>& v) {
+  void solveNormals(int count, bool backwards, PairVelocity<N>& v) {
     const N zero{};
-    for (int i = 0; i < count; ++i) {
+    for (int step = 0; step < count; ++step) {
+      const int i = backwards ? count - 1 - step : step;
       Row<N>& row = point[i];
       const N wanted = row.impulse - row.mass * (speedAlong(normal, row, v) - target[i]);
       const N clamped = maxOf(wanted, zero);

@@ -89,6 +89,12 @@ bool isFast(const Body& body, float time) {
   return way > kFastRatio * body.innerRadius;
 }
 
+void displace(Body& body, const Vec3& way, const Vec3& turn) {
+  body.center += way;
+  body.pose.rotation = integrateRotation(body.pose.rotation, turn, 1.0f);
+  body.placeByCenter();
+}
+
 void pushApart(State& state, const Contact& contact) {
   const Shape& shapeA = state.shapes[contact.a];
   const Shape& shapeB = state.shapes[contact.b];
@@ -112,12 +118,8 @@ void pushApart(State& state, const Contact& contact) {
     const Vec3 turnB = invMassB > 0.0f ? Vec3(b.invInertia * armB.cross(normal)) : Vec3(Vec3::Zero());
     const float compliance = invMassA + invMassB + armA.cross(normal).dot(turnA) + armB.cross(normal).dot(turnB);
     const float impulse = push / compliance;
-    a.center -= normal * (impulse * invMassA);
-    b.center += normal * (impulse * invMassB);
-    if (invMassA > 0.0f) a.pose.rotation = integrateRotation(a.pose.rotation, turnA, -impulse);
-    if (invMassB > 0.0f) b.pose.rotation = integrateRotation(b.pose.rotation, turnB, impulse);
-    a.placeByCenter();
-    b.placeByCenter();
+    if (invMassA > 0.0f) displace(a, normal * (-impulse * invMassA), turnA * -impulse);
+    if (invMassB > 0.0f) displace(b, normal * (impulse * invMassB), turnB * impulse);
   }
 }
 

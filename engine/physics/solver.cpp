@@ -220,17 +220,18 @@ void ContactSolver::warmStartRows(State& state) {
 void ContactSolver::solve(State& state, int iterations) {
   for (int i = 0; i < iterations; ++i) {
     state.jointSolver.solve(bodies_->data());
-    solveBatches();
+    solveBatches(i % 2 != 0);
     solveGroups(state);
   }
 }
 
-void ContactSolver::solveBatches() {
+// Every other sweep runs backwards: what travels through a stack in one direction only would tilt it.
+void ContactSolver::solveBatches(bool backwards) {
   for (std::uint32_t i = 0; i < batchCount_; ++i) {
-    Batch& batch = batches_[i];
+    Batch& batch = batches_[backwards ? batchCount_ - 1 - i : i];
     PairVelocity<Float4> v = load(*bodies_, batch.bodyA, batch.bodyB);
     batch.rows.solveFriction(v);
-    batch.rows.solveNormals(batch.points, v);
+    batch.rows.solveNormals(batch.points, backwards, v);
     physics::store(*bodies_, batch.bodyA, batch.bodyB, v);
   }
 }
@@ -281,7 +282,7 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
   for (std::uint32_t i = group.first; i < group.end; ++i) {
     Single& single = singles_[i];
     PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
-    single.rows.solveNormals(single.points, v);
+    single.rows.solveNormals(single.points, false, v);
     physics::store(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);

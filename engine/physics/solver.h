@@ -57,7 +57,7 @@ class ContactSolver {
   void buildStrikes(State& state, float dt);
   void addSingle(State& state, std::uint32_t contact, float dt);
   void warmStartRows(State& state);
-  void solveBatches();
+  void solveBatches(bool backwards);
   void solveGroups(State& state);
   void solveLightBody(State& state, const Group& group);
   void solveStrike(State& state, const Group& group);

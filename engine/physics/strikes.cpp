@@ -13,6 +13,7 @@ namespace {
 constexpr std::int32_t kOwnedTicks = 15;   // how long a piece spends its maker's budget (a quarter of a second)
 constexpr float kSweepTarget = 0x1p-20f;   // a sweep closer than this is a hit [m]
 constexpr float kWeakRatio = 0.25f;        // a closing impulse below this part of the capacity need not be swept
+constexpr float kAllSpent = 1.0f - 1e-4f;  // part of the capacity that counts as all of it; what is not stopped decides [-]
 constexpr float kResidual = 2.5e-7f;       // closing speed left, relative to before, that counts as not stopped: 2 ulp
 
 /// Who pays: a fresh piece spends the budget of the striker that broke it loose.
@@ -151,12 +152,16 @@ void classify(State& state, Strike& strike, float dt) {
     strike.touching = strike.touching || !isGapOpen(contact);
     for (int p = 0; p < contact.manifold.count; ++p) strike.impulse += contact.manifold.points[p].normalImpulse;
   }
+  bool waits = false;
   const bool paid = spent >= strength * (1.0f - 1e-6f);
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i)
-    state.contacts.at(state.strikes.contacts[strike.firstContact + i]).passable = paid;
+  for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
+    Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
+    contact.passable = paid;
+    waits = waits || contact.waits;
+  }
   strike.mayBreak = state.bodies[strike.struck].brokenTick != state.tick;
   if (state.accuracy.fractureMode == FractureMode::InStep) {
-    strike.active = !paid && (strike.touching || closing < kWeakRatio * strike.capacity);
+    strike.active = !paid && (strike.touching || (closing < kWeakRatio * strike.capacity && !waits));
   } else {
     strike.active = !paid;
     strike.isCapped = state.accuracy.impulseCap;
@@ -211,6 +216,40 @@ void removeContactImpulses(State& state, const Strike& strike) {
     manifold.frictionImpulse.setZero();
     manifold.twistImpulse = 0.0f;
   }
+}
+
+void undo(SolverBody& body, const Vec3& impulse, const Vec3& at) { body.applyImpulse(impulse, at - body.center); }
+
+/// Takes back what a strike's normals did to the velocities; friction through a gap is negligible and left.
+void undoNormals(State& state, const Strike& strike) {
+  for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
+    Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
+    const BodyHandle a = state.shapes[contact.a].body;
+    const BodyHandle b = state.shapes[contact.b].body;
+    contact.waits = true;
+    for (int p = 0; p < contact.manifold.count; ++p) {
+      ManifoldPoint& point = contact.manifold.points[p];
+      const Vec3 at = 0.5f * (state.bodies[a].pose.toWorld(point.localA) + state.bodies[b].pose.toWorld(point.localB));
+      undo(state.solverBodies[a.index], contact.manifold.normal * point.normalImpulse, at);
+      undo(state.solverBodies[b.index], contact.manifold.normal * -point.normalImpulse, at);
+      point.normalImpulse = 0.0f;
+    }
+  }
+}
+
+/// Something pushed a weak strike to its limit through a gap that is still open: it would pay now and again when it touches.
+/// It gets its impulse back and waits for the sweep like the strong ones.
+bool releaseThroughGaps(State& state) {
+  bool any = false;
+  for (std::size_t s = 0; s < state.strikes.list.size(); ++s) {
+    Strike& strike = state.strikes.list[s];
+    const float spent = strike.impulse + spentByPartners(state.strikes, s);
+    if (!strike.active || strike.touching || spent < strike.capacity * kAllSpent || strike.impulse <= 0.0f) continue;
+    undoNormals(state, strike);
+    any = true;
+  }
+  if (any) state.contactSolver.storeBodies(state);
+  return any;
 }
 
 }  // namespace
@@ -271,7 +310,7 @@ bool findSaturated(State& state) {
         left = maxOf(left, contact.manifold.normal.dot(a.velocityAt(at - a.center) - b.velocityAt(at - b.center)));
       }
     }
-    const bool spentAll = strike.impulse + spentByPartners(state.strikes, s) >= strike.capacity * (1.0f - 1e-6f);
+    const bool spentAll = strike.impulse + spentByPartners(state.strikes, s) >= strike.capacity * kAllSpent;
     const bool stopped = left <= kResidual * strike.approachSpeed;
     const bool inStep = state.accuracy.fractureMode == FractureMode::InStep;
     strike.saturated = spentAll && (!stopped || !strike.isCapped) && (strike.touching || !inStep);
@@ -285,10 +324,10 @@ bool advanceStrikers(State& state, float dt) {
   std::vector<Arrival>& arrivals = state.strikes.arrivals;
   arrivals.clear();
   if (state.accuracy.fractureMode != FractureMode::InStep) return false;
+  if (releaseThroughGaps(state)) return true;
   for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
     const Strike& strike = state.strikes.list[i];
-    const bool capped = strike.active && strike.impulse + spentByPartners(state.strikes, i) >= strike.capacity * (1.0f - 1e-6f);
-    if (strike.touching || (strike.active && !capped) || strike.capacity <= 0.0f) continue;
+    if (strike.touching || strike.active || strike.capacity <= 0.0f) continue;
     const float time = timeReached(state, strike, dt);
     if (time >= 0.0f) arrivals.push_back({i, sweptBody(state, strike), time});
   }
