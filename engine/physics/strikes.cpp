@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t kOwnedTicks = 15;   // how long a piece spends its maker's budget (a quarter of a second)
 constexpr float kSweepTarget = 0x1p-20f;   // a sweep closer than this is a hit [m]
 constexpr float kWeakRatio = 0.25f;        // a closing impulse below this part of the capacity need not be swept
-constexpr float kAllSpent = 1.0f - 1e-4f;  // part of the capacity that counts as all of it; what is not stopped decides [-]
+constexpr float kAllSpent = 0.99f;         // part of the capacity that counts as all of it; what is not stopped decides [-]
 constexpr float kResidual = 2.5e-7f;       // closing speed left, relative to before, that counts as not stopped: 2 ulp
 
 /// Who pays: a fresh piece spends the budget of the striker that broke it loose.
@@ -161,7 +161,9 @@ void classify(State& state, Strike& strike, float dt) {
   }
   strike.mayBreak = state.bodies[strike.struck].brokenTick != state.tick;
   if (state.accuracy.fractureMode == FractureMode::InStep) {
-    strike.active = !paid && (strike.touching || (closing < kWeakRatio * strike.capacity && !waits));
+    // A piece its maker may be pushing is never weak: what it passes on through a gap would be paid again at the touch.
+    const bool weak = strike.body == strike.striker && closing < kWeakRatio * strike.capacity && !waits;
+    strike.active = !paid && (strike.touching || weak);
   } else {
     strike.active = !paid;
     strike.isCapped = state.accuracy.impulseCap;
