@@ -101,7 +101,7 @@ TEST(JointChain, TwoWeldsBetweenTheSameBodiesHoldLikeOne) {
   for (int i = 0; i < 600; ++i) {
     scene.step();
     ASSERT_LT(scene.widestGap(), 1e-4f) << "tick " << i;
-    ASSERT_LT(scene.energy(), energy + 0.1) << "tick " << i;  // of 10 J; velocities are half a tick ahead of positions
+    ASSERT_LT(scene.energy(), energy + 0.25) << "tick " << i;  // of 10 J; m g v dt/2, as velocities are half a tick ahead
   }
 }
 
