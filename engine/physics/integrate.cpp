@@ -59,7 +59,8 @@ Stop firstObstacle(const State& state, const Body& body, float time) {
       const geometry::Motion otherMotion{obstacle.pose, obstacle.center, obstacle.velocity, obstacle.angularVelocity};
       const geometry::Impact impact = geometry::timeOfImpact(proxyOf(shape, state.meshes), motion, proxyOf(other, state.meshes),
                                                              otherMotion, time, target);
-      if (impact.hit && (!stop.hit || impact.time < stop.time)) stop = {true, impact.time, Vec3(-impact.normal)};
+      // A pair that touches already is the solver's: stopping it at time 0 would hold it in place while its velocity grows.
+      if (impact.hit && impact.time > 0.0f && (!stop.hit || impact.time < stop.time)) stop = {true, impact.time, Vec3(-impact.normal)};
       return true;
     });
   });
