@@ -20,6 +20,8 @@ layout(std140) uniform FrameBlock {
   vec4 toLight;    // unit; w: ambient share
   vec4 lightColor; // linear; w: opacity of the shadows of spheres
   vec4 picture;    // width, height, 1 / width, 1 / height
+  vec4 low;        // linear fog colours, clamped: what mirrors show below and above
+  vec4 high;
 } frame;
 
 layout(std140) uniform MaterialBlock {
@@ -55,16 +57,17 @@ float depthOf(vec3 point) { return dot(point - frame.eye.xyz, frame.forward.xyz)
 float fogAt(float depth) { return clamp((depth - frame.fogBottom.w) * frame.fogTop.w, 0.0, 1.0); }
 vec3 withFog(vec3 color, vec3 point) { return mix(color, fogColor(), fogAt(depthOf(point))); }
 
-// What a mirror shows in direction r: a gradient of the fog's colours, a row of soft boxes overhead, a bright horizon, a dim floor.
+// What a dull mirror shows in direction r: the fog's colours, dim below.
+vec3 surroundings(vec3 r) { return mix(frame.low.rgb * 0.35, frame.high.rgb * 0.85, smoothstep(-0.25, 0.55, r.y)); }
+
+// What a clear mirror shows: the same with a row of soft boxes overhead and a bright horizon.
 vec3 environment(vec3 r) {
-  vec3 low = decode(clamp(frame.fogBottom.rgb, 0.0, 1.0));
-  vec3 high = decode(clamp(frame.fogTop.rgb, 0.0, 1.0));
-  vec3 c = mix(low * 0.35, high * 0.85, smoothstep(-0.25, 0.55, r.y));
+  vec3 c = surroundings(r);
   vec2 p = r.xz / (max(r.y, 0.0) + 0.12);
   float lane = smoothstep(1.1, 0.7, abs(p.x));
   float box = smoothstep(0.10, 0.22, abs(fract(p.y * 0.33 + 0.5) - 0.5)) * smoothstep(9.0, 2.0, abs(p.y));
   c += frame.lightColor.rgb * (1.6 * lane * box * smoothstep(0.12, 0.3, r.y));
-  c += high * (0.35 * smoothstep(0.16, 0.0, abs(r.y - 0.04)));
+  c += frame.high.rgb * (0.35 * smoothstep(0.16, 0.0, abs(r.y - 0.04)));
   return c;
 }
 

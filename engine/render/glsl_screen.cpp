@@ -19,21 +19,21 @@ void main() { result = vec4(fogColor(), 1.0); }
 // caster says how dark it gets.
 const ProgramSource kShadow = {"shadow", R"(
 layout(location = 1) in vec4 place;  // centre, radius
-layout(location = 2) in float opacity;
+layout(location = 2) in vec2 shade;  // opacity, 1 for a sphere
 flat out vec4 vPlace;
-flat out float vOpacity;
+flat out vec2 vShade;
 const int order[14] = int[14](3, 2, 6, 7, 4, 2, 0, 3, 1, 6, 5, 4, 1, 0);
 void main() {
   int corner = order[gl_VertexID];
   vec3 unit = vec3((corner & 1) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 0.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0);
   vPlace = place;
-  vOpacity = opacity;
-  gl_Position = frame.viewProjection * vec4(place.xyz + unit * place.w * vec3(2.2, 5.0, 2.2), 1.0);
+  vShade = shade;
+  gl_Position = frame.viewProjection * vec4(place.xyz + unit * place.w * vec3(1.7, 4.0, 1.7), 1.0);
 }
 )", R"(
 uniform sampler2D depthTexture;
 flat in vec4 vPlace;
-flat in float vOpacity;
+flat in vec2 vShade;
 out vec4 result;
 void main() {
   float n = frame.forward.w, f = frame.eye.w;
@@ -43,11 +43,11 @@ void main() {
   vec3 ray = frame.forward.xyz + frame.right.xyz * (ndc.x * frame.right.w) + frame.up.xyz * (ndc.y * frame.up.w);
   vec3 d = (frame.eye.xyz + ray * depth - vPlace.xyz) / vPlace.w;
   float below = -d.y;
-  float spread = 1.0 + 0.28 * max(below - 1.0, 0.0);
-  float core = smoothstep(1.35, 0.15, length(d.xz) / spread) / (spread * spread);
-  float reach = smoothstep(0.0, 0.4, below) * smoothstep(5.0, 3.0, below);
-  float outside = smoothstep(1.0, 1.06, length(d));  // a caster does not darken itself
-  result = vec4(0.0, 0.0, 0.0, vOpacity * core * reach * outside * (1.0 - fogAt(depth)));
+  float spread = 1.0 + 0.1 * max(below - 1.0, 0.0);
+  float core = smoothstep(1.3, 0.1, length(d.xz) / spread) / (spread * spread);
+  float reach = smoothstep(0.0, 0.4 * vShade.y + 0.05, below) * smoothstep(4.0, 2.0, below);
+  float outside = max(1.0 - vShade.y, smoothstep(1.0, 1.06, length(d)));  // a ball does not darken itself
+  result = vec4(0.0, 0.0, 0.0, vShade.x * core * reach * outside * (1.0 - fogAt(depth)));
 }
 )"};
 
@@ -101,7 +101,7 @@ flat in float vWidth;
 out vec4 result;
 void main() {
   float cover = clamp(vWidth + 0.5 - abs(vAcross), 0.0, 1.0);
-  vec3 light = vColor.rgb * (0.35 + 0.65 * decode(clamp(frame.fogTop.rgb, 0.0, 1.0)));
+  vec3 light = vColor.rgb * (0.35 + 0.65 * frame.high.rgb);
   result = vec4(light, 1.0) * (vColor.a * cover * (1.0 - fogAt(depthOf(vPoint))));
 }
 )"};
@@ -165,7 +165,8 @@ uniform vec4 border;
 out vec4 result;
 void main() {
   vec3 c = texelFetch(colorTexture, ivec2(gl_FragCoord.xy), 0).rgb;
-  c = mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  vec3 s1 = sqrt(c), s2 = sqrt(s1), s3 = sqrt(s2);  // within 0.002 of the exact curve, and roots are cheap
+  c = max(0.662002687 * s1 + 0.684122060 * s2 - 0.323583601 * s3 - 0.0225411470 * c, 0.0);
   vec2 at = gl_FragCoord.xy * frame.picture.zw * 2.0 - 1.0;
   vec2 far = at * at;
   c *= 1.0 - 0.10 * smoothstep(0.5, 2.0, far.x + far.y);
@@ -244,7 +245,7 @@ void main() {
   if (vForm.z > 1.5) {
     float d = glyph(p);
     float inside = clamp(0.5 - d, 0.0, 1.0);
-    float shade = 0.45 * clamp(1.0 - d / vForm.y, 0.0, 1.0);  // keeps light letters readable on light rooms
+    float shade = 0.35 * clamp(1.0 - d / vForm.y, 0.0, 1.0);  // keeps light letters readable on light rooms
     float cover = inside + (1.0 - inside) * shade;
     result = vec4(vColor.rgb * (inside / max(cover, 1e-4)), vColor.a * cover);
   } else {

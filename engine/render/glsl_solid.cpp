@@ -29,8 +29,8 @@ void main() {
   vec3 n = surfaceNormal(vec4(0.0), vPoint);
   vec3 v = toEye(vPoint);
   // Light on faces is baked into the colours; only the polish is computed.
-  float polish = schlick(dot(n, v), 0.03) * (n.y > 0.5 ? 0.55 : 0.25);
-  vec3 color = albedo * open + environment(reflect(-v, n)) * (polish * open);
+  float polish = schlick(dot(n, v), 0.04) * (n.y > 0.5 ? 0.6 : 0.3);
+  vec3 color = albedo * open + surroundings(reflect(-v, n)) * (polish * open);
   result = vec4(withFog(color, vPoint), 1.0);
 }
 )"};
@@ -87,14 +87,15 @@ void main() {
   vec3 n = surfaceNormal(vNormal, vPoint);
   vec3 v = toEye(vPoint);
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  float fresnel = schlick(facing, 0.05);
+  float fresnel = schlick(facing, 0.07);
   vec3 tint = surface.rgb * decode(vColor.rgb);
 
   float path = 1.0 / (0.35 + 0.65 * facing);  // a slanted ray stays in the glass for longer
-  vec3 through = pow(max(tint, vec3(0.002)), vec3(path)) * finish.y * (1.0 - fresnel);
+  vec3 through = tint * mix(vec3(1.0), tint, min((path - 1.0) * 0.6, 1.0)) * finish.y * (1.0 - fresnel);
   vec3 r = reflect(-v, n);
   float sharp = pow(max(dot(r, frame.toLight.xyz), 0.0), mix(30.0, 420.0, finish.x));
-  vec3 mirror = environment(r) * fresnel + frame.lightColor.rgb * (sharp * finish.x * 1.5);
+  float glint = smoothstep(0.35, 0.95, sin(11.0 * r.x + 6.0 * r.y));  // window light, in slanted bands
+  vec3 mirror = environment(r) * fresnel + frame.high.rgb * (glint * (0.045 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
   float rim = (1.0 - facing) * (1.0 - facing);
   vec3 body = tint * (frame.toLight.w * (1.0 - finish.y) * 0.6 + 0.10 * rim) * (0.7 + 0.3 * n.y);
   vec3 color = mirror + body;

@@ -11,7 +11,7 @@ constexpr float kRectangle = 0.0f, kArc = 1.0f, kGlyph = 2.0f;  // kinds of the 
 constexpr float kStrokeWidth = 0.15f;
 constexpr float kShadeWidth = 0.16f;
 // How far below its caster a shadow can fall, in radii; the shadow shader's box.
-constexpr float kShadowReach = 5.0f;
+constexpr float kShadowReach = 4.0f;
 
 std::array<float, 4> placeOf(const Vec3& center, float radius) { return {center.x(), center.y(), center.z(), radius}; }
 
@@ -61,11 +61,12 @@ void Instances::packBodies(const Frame& frame, const View& view) {
 
 void Instances::packShadows(const Frame& frame, const View& view) {
   const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
-  const auto add = [&](const Vec3& center, float radius, float opacity) {
-    if (opacity > 0.0f && view.sees(center, radius * kShadowReach, farthest)) shadows.push_back({placeOf(center, radius), opacity});
+  const auto add = [&](const Vec3& center, float radius, float opacity, float isSphere) {
+    if (opacity <= 0.0f || !view.sees(center, radius * kShadowReach, farthest)) return;
+    shadows.push_back({placeOf(center, radius), opacity, isSphere});
   };
-  for (const Sphere& s : frame.spheres) add(s.position, s.radius, frame.sphereShadow);
-  for (const Shadow& s : frame.shadows) add(s.position, s.radius, s.opacity);
+  for (const Sphere& s : frame.spheres) add(s.position, s.radius, frame.sphereShadow, 1.0f);
+  for (const Shadow& s : frame.shadows) add(s.position, s.radius, s.opacity, 0.0f);
 }
 
 void Instances::packHud(const Frame& frame, float width, float height) {

@@ -31,6 +31,7 @@ struct BeamInstance {
 struct ShadowInstance {
   std::array<float, 4> place;
   float opacity;
+  float isSphere;  // 1: its own lower half is left out
 };
 
 /// HUD shapes and letters; see the hud shader for the meaning by kind.

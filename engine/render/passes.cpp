@@ -20,7 +20,7 @@ constexpr std::array<Attribute, 2> kPlaceLayout = {{{1, 4, GL_FLOAT, As::Float, 
 constexpr std::array<Attribute, 3> kBeamLayout = {{{0, 4, GL_FLOAT, As::Float, 0},
                                                    {1, 3, GL_FLOAT, As::Float, 16},
                                                    {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 28}}};
-constexpr std::array<Attribute, 2> kShadowLayout = {{{1, 4, GL_FLOAT, As::Float, 0}, {2, 1, GL_FLOAT, As::Float, 16}}};
+constexpr std::array<Attribute, 2> kShadowLayout = {{{1, 4, GL_FLOAT, As::Float, 0}, {2, 2, GL_FLOAT, As::Float, 16}}};
 constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0},
                                                    {1, 3, GL_FLOAT, As::Float, 12},
                                                    {2, 1, GL_UNSIGNED_INT, As::Whole, 24},

@@ -72,7 +72,7 @@ GlTexture makeTileTexture(const Gl& gl) {
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kAtlasPixels, kAtlasPixels, GL_RED, GL_UNSIGNED_BYTE, grey.data());
   gl.GenerateMipmap(GL_TEXTURE_2D);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   return texture;
 }

@@ -67,6 +67,9 @@ FrameUniforms makeFrameUniforms(const Frame& frame, const View& view, int width,
   block.fogTop = pack(frame.fog.top, 1.0f / maxOf(frame.fog.end - frame.fog.start, 1e-3f));
   block.toLight = pack(-normalizedOr(frame.light.direction, -Vec3::UnitY()), frame.light.ambient);
   block.lightColor = pack(decodeColor(frame.light.color), frame.sphereShadow);
+  const auto visible = [](const Rgb& c) { return decodeColor(c.cwiseMax(0.0f).cwiseMin(1.0f)); };
+  block.low = pack(visible(frame.fog.bottom), 0.0f);
+  block.high = pack(visible(frame.fog.top), 0.0f);
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   block.picture = {w, h, 1.0f / w, 1.0f / h};
   return block;

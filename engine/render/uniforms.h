@@ -15,6 +15,7 @@ struct FrameUniforms {
   std::array<float, 4> fogBottom{}, fogTop{};
   std::array<float, 4> toLight{}, lightColor{};
   std::array<float, 4> picture{};
+  std::array<float, 4> low{}, high{};
 };
 
 /// Mirrors MaterialBlock.

@@ -104,12 +104,12 @@ void addFrame(Filler& filler, const Vec3& at, float width, float height) {
   const std::uint32_t body = filler.addBody(at, Quat::Identity());
   for (const float side : {-1.0f, 1.0f}) {
     filler.addMesh(geometry::makeBox<float>(Vec3(0.06f, height, 0.06f), Vec3(side * width, 0.0f, 0.0f)), body, kMetal, grey);
-    filler.addMesh(geometry::makeBox<float>(Vec3(width, 0.06f, 0.06f), Vec3(0.0f, side * height, 0.0f)), body, kMetal, grey);
+    filler.addMesh(geometry::makeBox<float>(Vec3(width - 0.06f, 0.06f, 0.06f), Vec3(0.0f, side * (height - 0.06f), 0.0f)), body, kMetal, grey);
   }
 }
 
 std::vector<BakeBox> roomBoxes() {
-  const Rgb floor(0.62f, 0.66f, 0.70f), wall(0.55f, 0.62f, 0.70f), beam(0.70f, 0.74f, 0.78f);
+  const Rgb floor(0.50f, 0.56f, 0.66f), wall(0.42f, 0.50f, 0.62f), beam(0.62f, 0.66f, 0.74f);
   std::vector<BakeBox> boxes;
   const auto add = [&boxes](const Vec3& center, const Vec3& half, const Rgb& color, int tile) {
     BakeBox box;
@@ -152,6 +152,13 @@ void addBalls(Frame& frame) {
   }
 }
 
+void addLights(Frame& frame) {
+  frame.beams.push_back({Vec3(-3.4f, 2.2f, -8.0f), Vec3(3.4f, 2.2f, -8.0f), 0.05f, packRgba(Rgb(1.0f, 0.25f, 0.2f))});
+  for (const float side : {-1.0f, 1.0f}) {
+    frame.glows.push_back({Vec3(side * 3.35f, 2.2f, -8.0f), 0.5f, packRgba(Rgb(1.0f, 0.35f, 0.25f))});
+  }
+}
+
 void addHud(Frame& frame) {
   frame.texts.push_back({{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.09f)}, 0.075f, HudAlign::Center, kWhite, "25"});
   frame.texts.push_back({{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.06f)}, 0.035f, HudAlign::Center, kWhite, "1204 m"});
@@ -167,8 +174,8 @@ void fillGallery(Gallery& gallery) {
   frame.groups[0].pool = &gallery.pool;
   frame.camera.position = Vec3(0.0f, 1.0f, 0.0f);
   frame.camera.rotation = rotationAbout(Vec3::UnitX(), -0.12f);
-  frame.fog.bottom = Rgb(0.30f, 0.42f, 0.58f);
-  frame.fog.top = Rgb(0.86f, 0.80f, 0.78f);
+  frame.fog.bottom = Rgb(0.16f, 0.27f, 0.46f);
+  frame.fog.top = Rgb(0.98f, 0.80f, 0.68f);
   Filler filler(gallery);
   addBrokenPane(filler, Vec3(0.1f, 0.4f, -5.8f), Vec3(1.1f, 1.2f, 0.03f), 13, Rgb(0.75f, 0.95f, 0.98f), 3);
   addFrame(filler, Vec3(0.1f, 0.4f, -5.8f), 1.2f, 1.3f);
@@ -180,6 +187,7 @@ void fillGallery(Gallery& gallery) {
   addBlock(filler, Vec3(2.1f, 0.25f, -6.5f), rotationAbout(Vec3::UnitY(), 0.2f), Rgb(0.98f, 0.62f, 0.30f), 5, 0.25f, 6);
   filler.addThing(geometry::makeCylinder(0.3f, 0.5f, 24), Vec3(-2.8f, -0.5f, -7.5f), Quat::Identity(), kMetal, Rgb(1.0f, 0.85f, 0.6f));
   addBalls(frame);
+  addLights(frame);
   addHud(frame);
   gallery.room = bake(roomBoxes(), BakeDef{.light = {.top = 1.1f, .bottom = 0.7f}});
 }
