@@ -22,7 +22,8 @@ constexpr float kPreferA = 1e-5f;         // of two equally good faces A's is th
 constexpr float kNear = 0.25f;            // of the size: closer than this counts as touching [-]
 constexpr float kDepthBand = 0.02f;       // of the size: depths within it are equal [-]
 constexpr float kMergeRadius = 0.2f;      // of the size: a new point this near an old one replaces it (incremental) [-]
-constexpr float kMaxDrift = 0.1f;         // of the size: sideways drift after which a point is dropped (incremental) [-]
+constexpr float kMaxDrift = 0.25f;        // of the size: sideways drift after which a point is dropped (incremental) [-]
+constexpr float kTooDeep = 0.1f;          // of the size: overlaps deeper than this get all points at once (incremental) [-]
 constexpr float kMaxTurn = 0.035f;        // two degrees: recompute after that [rad]
 
 struct Scratch {
@@ -219,7 +220,9 @@ void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const P
     return;
   }
   bool settled = true;
-  if (settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere()) clipAll(view, closest, manifold);
+  // One point a tick cannot hold up what already sinks in: thin shards drop their points by turning, and would go on sinking.
+  const bool atOnce = settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere() || closest.distance < -kTooDeep * view.size;
+  if (atOnce) clipAll(view, closest, manifold);
   else settled = addClosest(view, closest, manifold);
   if (!settled || a.isSphere() || b.isSphere()) return;
   manifold.computed = true;
