@@ -129,6 +129,7 @@ void pushApart(State& state, const Contact& contact) {
 void integrateVelocities(State& state, float dt) {
   state.bodies.forEach([&](BodyHandle, Body& body) {
     body.timeUsed = 0.0f;
+    body.waitsAtGlass = false;
     if (body.type == BodyType::Animated) followTarget(body, dt);
     if (!body.isDynamic() || !body.awake) return;
     body.velocity += state.gravity * (body.gravityScale * dt);

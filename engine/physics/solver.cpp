@@ -266,7 +266,7 @@ void ContactSolver::solveLightBody(State& state, const Group& group) {
     if (s != kNoStrike) {
       Strike& strike = state.strikes.list[s];
       strike.impulse -= sumOf(first, end);
-      const float left = strike.capacity - spentByPartners(state.strikes, s) - strike.impulse;
+      const float left = minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse;
       limits_.push_back({first - group.first, end - group.first, strike.isCapped ? maxOf(left, 0.0f) : 3.0e38f});
     }
     first = end;
@@ -289,7 +289,7 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
     physics::store(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);
-  const float left = maxOf(strike.capacity - spentByPartners(state.strikes, s) - strike.impulse, 0.0f);
+  const float left = maxOf(minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse, 0.0f);
   if (sum > left && strike.isCapped) scaleNormals(group, left / sum);
   strike.impulse += sumOf(group.first, group.end);
 }
