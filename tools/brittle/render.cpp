@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "game/view/memory.h"
 #include "platform/headless/headless.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/picture.h"
@@ -9,10 +10,6 @@
 
 namespace brittle::program {
 namespace {
-
-/// What the view remembers reaches back no further than this: starting so much earlier, any range of frames comes out
-/// as it does in a rendering of the whole replay. [ticks]
-constexpr std::uint32_t kViewMemory = 180;
 
 Result<platform::HeadlessBackend> backendOf(const std::string& name) {
   for (const auto backend : {platform::HeadlessBackend::Egl, platform::HeadlessBackend::OsMesa})
@@ -66,7 +63,8 @@ Status renderFrame(const Job& job, std::uint32_t frame) {
 
 Status renderFrames(const Job& job) {
   replay::Player player(job.replay, job.simulation);
-  const std::uint32_t begin = job.frames.first > kViewMemory ? job.frames.first - kViewMemory : 0;
+  // So much earlier, any range of frames comes out as it does in a rendering of the whole replay.
+  const std::uint32_t begin = job.frames.first > view::kMemoryTicks ? job.frames.first - view::kMemoryTicks : 0;
   if (begin > 0) {
     const Status found = player.seek(begin);
     if (!found) return found;
