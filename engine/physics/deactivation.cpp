@@ -1,6 +1,7 @@
 #include "engine/physics/deactivation.h"
 
 #include "engine/physics/contact_graph.h"
+#include "engine/physics/edit.h"
 
 namespace brittle::physics {
 namespace {
@@ -85,7 +86,12 @@ void wakeTouching(State& state, ShapeHandle first) {
       if (!contact.touching || !body.isDynamic() || body.awake) return true;
       body.awake = true;
       body.restTicks = 0;
-      forEachShape(state, body, [&](ShapeHandle next, const Shape&) { pending.push_back(next); });
+      // Within a tick: its inertia and tight boxes are from whenever it fell asleep, and a restored world has none of them.
+      refreshInertia(body);
+      forEachShape(state, body, [&](ShapeHandle next, const Shape& shape) {
+        state.shapeBoxes[next.index] = geometry::boundsOf(proxyOf(shape, state.meshes), body.pose);
+        pending.push_back(next);
+      });
       return true;
     });
   }
