@@ -26,8 +26,7 @@ void solve(State& state, float dt, bool isFirstPass) {
   ContactSolver& solver = state.contactSolver;
   state.jointSolver.prepare(state, dt, isFirstPass);
   solver.prepare(state, dt, isFirstPass);
-  // Later passes start from the first one's answer and only take in what a breaking changed.
-  solver.solve(state, isFirstPass ? state.accuracy.iterations : (state.accuracy.iterations + 1) / 2);
+  solver.solve(state, state.accuracy.iterations);
   solver.store(state);
   solver.storeBodies(state);
 }

@@ -25,7 +25,6 @@ void DrawList::clear() {
   opaque.clear();
   glass.clear();
   edges.clear();
-  nearestGlass = 0.0f;
 }
 
 void DrawListBuilder::collect(const MeshGroup& group, std::span<const Material> materials, const View& view, float farthest) {
@@ -97,7 +96,6 @@ void DrawListBuilder::build(const MeshGroup& group, std::span<const Material> ma
   };
   for (const Item& item : opaque_) add(item, list.opaque);
   for (const Item& item : glass_) add(item, list.glass);
-  if (!glass_.empty()) list.nearestGlass = glass_.back().depth;
 }
 
 }  // namespace brittle::render

@@ -6,9 +6,6 @@
 
 namespace brittle::sim::rules {
 
-/// Raised by every change that changes results: a replay of another version is refused.
-inline constexpr std::uint32_t kSimulationVersion = 1;
-
 // Time.
 inline constexpr int kTickRate = 60;                    // [ticks/s], format
 inline constexpr float kTickSeconds = 1.0f / 60.0f;     // [s]
@@ -67,6 +64,8 @@ inline constexpr float kForceUnit = 1500.0f;            // [N s] per 1 of the fo
 inline constexpr float kCarveRadius = 0.42f;            // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
 inline constexpr float kBlockCracks = 1.0f;             // cracks in blocks, relative to the material's default [-]
 inline constexpr float kSmallestPiece = 3e-5f;          // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
+inline constexpr float kWeightsHeld = 4.0f;             // a body holds at least so many of its own weight [-]; below 1 it bursts as it stands
+inline constexpr float kSmallestShare = 1.0f / 2000.0f; // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
 inline constexpr float kGravity = 9.81f;                // [m/s2] at the format's gravity 1
 
 // Collision categories (bits), the format's.

@@ -53,7 +53,7 @@ physics::Breakable breakableOf(const Material& material, const Vec3& extent) {
   breakable.material.pattern = isSheet ? fracture::Pattern::Pane : fracture::Pattern::Block;
   breakable.material.carveRadius = rules::kCarveRadius;
   breakable.material.density = isSheet ? 1.0f : rules::kBlockCracks;
-  breakable.material.minVolume = rules::kSmallestPiece;
+  breakable.material.minVolume = maxOf(rules::kSmallestPiece, rules::kSmallestShare * extent.prod());
   return breakable;
 }
 

@@ -56,6 +56,7 @@ struct ScriptBody {
   ScriptDrive drive;
   Look look = Look::Glass;
   float volume = 0.0f;                       // as built [m3]
+  float strength = 0.0f;                     // of its weakest shape [N s]; 0: unbreakable
   std::uint32_t breaks = 0;
   bool gone = false;                         // fell or was left behind
 
@@ -68,6 +69,7 @@ struct ScriptBody {
     a(drive);
     a(look);
     a(volume);
+    a(strength);
     a(breaks);
     a(gone);
   }

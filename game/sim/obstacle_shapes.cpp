@@ -39,6 +39,16 @@ Look lookOf(const Material& material) {
   return material.look == Look::Glass && material.category == rules::kCategoryCrystal ? Look::Crystal : material.look;
 }
 
+/// A body is as strong as its weakest shape, but never too weak for its own weight: the format's force limits do not grow with size.
+void strengthen(physics::World& world, ScriptBody& body, physics::Breakable breakable) {
+  if (breakable.strength <= 0.0f) return;
+  if (body.strength > 0.0f && body.strength < breakable.strength) breakable = world.body(body.handle).breaking;
+  body.strength = body.strength > 0.0f ? minOf(body.strength, breakable.strength) : breakable.strength;
+  const float weight = world.body(body.handle).mass * rules::kGravity * rules::kTickSeconds;
+  breakable.strength = maxOf(body.strength, rules::kWeightsHeld * weight);
+  world.setBreakable(body.handle, breakable);
+}
+
 void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, int firstPlaceArgument) {
   ScriptBody* body = readBody(call, obstacle, 1);
   const Vec3 offset = readVector(call, firstPlaceArgument, Vec3::Zero());
@@ -57,9 +67,6 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
     body->look = lookOf(pen.material);
   } else if (!world.isAlive(body->handle)) {
     return call.result(0);
-  } else if (breakable.strength > 0.0f) {  // a body is as strong as its weakest shape
-    const physics::Breakable& now = world.body(body->handle).breaking;
-    if (now.strength <= 0.0f || breakable.strength < now.strength) world.setBreakable(body->handle, breakable);
   }
   physics::ShapeDef def;
   def.surface = surfaceOf(pen.material);
@@ -69,6 +76,7 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   shape.handle = world.addConvex(body->handle, def, convex);
   shape.body = static_cast<std::uint32_t>(body - obstacle.bodies.data()) + 1;
   body->volume += world.shape(shape.handle).massProperties.volume;
+  strengthen(world, *body, breakable);
   obstacle.shapes.push_back(shape);
   call.result(static_cast<int>(obstacle.shapes.size()));
 }

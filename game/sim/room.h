@@ -83,6 +83,7 @@ class Room {
   void buildSegment(std::size_t index);
   void startObstacles(float distance);
   void readEvents();
+  void breakByCamera(physics::BodyHandle handle, const Vec3& point);
   void readBreak(const physics::BreakEvent& broken);
   void readHit(const physics::HitEvent& hit);
   void removeBehind();

@@ -1,4 +1,5 @@
 // Does the camera fit? A geometric test of the camera's volume against what stands in the way, not a flag: a hole that was shot is a way.
+#include "engine/geometry/gjk.h"
 #include "game/sim/room.h"
 
 namespace brittle::sim {
@@ -8,7 +9,16 @@ namespace {
 struct Obstruction {
   physics::BodyHandle body;
   std::uint32_t owner = 0;
+  Vec3 point = Vec3::Zero();           // where it is nearest to the camera
 };
+
+Vec3 nearestPoint(const physics::World& world, physics::ShapeHandle handle, const Vec3& to) {
+  const physics::Shape& shape = world.shape(handle);
+  geometry::SimplexCache cache;
+  const geometry::Proxy eye{{}, Vec3::Zero(), 0.001f};
+  const Transform& pose = world.body(shape.body).pose;
+  return geometry::separation(eye, {to, Quat::Identity()}, physics::proxyOf(shape, world.meshes()), pose, cache).pointB;
+}
 
 }  // namespace
 
@@ -44,7 +54,7 @@ void Room::crashTest() {
     const physics::BodyHandle body = world_->bodyOf(handle);
     const std::uint32_t owner = world_->body(body).userData;
     const Obstacle* obstacle = obstacleOf(owner);
-    if (obstacle == nullptr || !obstacle->touched) found.push_back({body, owner});
+    if (obstacle == nullptr || !obstacle->touched) found.push_back({body, owner, nearestPoint(*world_, handle, viewpoint_.position)});
     return true;
   });
   const bool isBurnt = checkLasers();
@@ -57,9 +67,23 @@ void Room::crashTest() {
   emit(event);
   for (const Obstruction& obstruction : found) {
     if (Obstacle* obstacle = obstacleOf(obstruction.owner)) obstacle->touched = true;
-    if (world_->isAlive(obstruction.body) && world_->body(obstruction.body).breakable)
-      world_->breakBody(obstruction.body, viewpoint_.position, -Vec3::UnitZ(), rules::kCrashSpeed, rules::kCameraRadius);
+    breakByCamera(obstruction.body, obstruction.point);
   }
+}
+
+void Room::breakByCamera(physics::BodyHandle handle, const Vec3& point) {
+  if (!world_->isAlive(handle) || !world_->body(handle).breakable) return;
+  const physics::Body& body = world_->body(handle);
+  physics::BreakEvent broken;
+  broken.body = handle;
+  broken.assembly = body.assembly;
+  broken.userData = body.userData;
+  broken.point = point;
+  broken.normal = -Vec3::UnitZ();
+  broken.speed = viewpoint_.speed;
+  broken.impulse = body.breaking.strength;
+  world_->breakBody(handle, point, broken.normal, rules::kCrashSpeed, rules::kCameraRadius);
+  readBreak(broken);
 }
 
 bool Room::checkLasers() const {

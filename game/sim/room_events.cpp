@@ -120,7 +120,7 @@ void Room::clearObstacle(Obstacle& obstacle) {
   if (obstacle.cleared) return;
   obstacle.cleared = true;
   Event event;
-  event.type = EventType::Cleared;
+  event.type = obstacle.def->type.rfind("doors/", 0) == 0 ? EventType::DoorOpens : EventType::Cleared;
   event.point = obstacle.pose().position;
   event.value = static_cast<std::int32_t>(session_.score.cleared++ % rules::kClearedNotes);
   emit(event);

@@ -28,7 +28,7 @@ struct PlannedSegment {
 };
 
 struct RoomSettings {
-  float length = rules::kDefaultRoomLength;  // [m]
+  float length = 0.0f;                       // as declared [m]
   Vec3 fogBottom = Vec3(0.2f, 0.25f, 0.3f), fogTop = Vec3(0.6f, 0.7f, 0.8f);
   float reverb[3] = {0, 0, 0};
   float echo[4] = {0, 0, 0, 0};

@@ -305,7 +305,7 @@ RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed, 
   if (!status) session.report(entry.where + ": room " + entry.type + ": " + status.error().message);
   RoomSettings& settings = builder.plan.settings;
   settings.gravity = clampTo(settings.gravity, -10.0f, 10.0f);
-  if (settings.length == rules::kDefaultRoomLength && builder.placed > 8.0f) settings.length = builder.placed;
+  if (settings.length == 0.0f) settings.length = builder.placed > 8.0f ? builder.placed : rules::kDefaultRoomLength;
   session.effects.demand(effects::Effect::Fog, path);
   return std::move(builder.plan);
 }
