@@ -27,7 +27,7 @@ struct Impact {
 /// Where a part touches static geometry: the corners of the contact area, a convex polygon in the compound's frame. One or two
 /// points stand for themselves.
 struct Anchor {
-  Vec3 points[8] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // in order around the area [m]; hashed, so never left unset
+  Vec3 points[8];                      // in order around the area [m]
   std::uint32_t pointCount = 0;        // up to 8
 };
 

@@ -1,13 +1,9 @@
-// The convex hull of points: makeHull of make.h. Points are put on a grid of 2^24 steps along their extent, on which
-// every sign is computed exactly, so the triangulated hull is a closed mesh whatever the points. Then triangles in one
-// plane become one face. Incremental: each point replaces the triangles that see it by a cone over their outline.
-// Quadratic, meant for loading. Source: Clarkson and Shor, Applications of Random Sampling in Computational Geometry,
-// II, 1989 (without their randomness).
+// makeHull of make.h: the triangulated hull on a grid, then triangles in one plane become one face.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
+#include "engine/geometry/grid_hull.h"
 #include "engine/geometry/make.h"
 #include "engine/geometry/make_impl.h"
 #include "engine/geometry/split.h"
@@ -16,85 +12,8 @@ namespace brittle::geometry {
 namespace {
 
 using make_detail::Loops;
-__extension__ typedef __int128 Wide;
-using GridPoint = std::array<std::int64_t, 3>;
-using Triangle = std::array<std::uint32_t, 3>;
-
-constexpr double kGridSteps = 0x1p24;  // differences have 25 bits, determinants 78: exact in Wide
 constexpr double kCoplanar = 0x1p-20;  // of the extent: triangles this close to a plane belong to one face
 constexpr std::uint32_t kNone = 0xffffffff;
-
-GridPoint between(const GridPoint& a, const GridPoint& b) {
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-}
-
-GridPoint crossOf(const GridPoint& a, const GridPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// The triangulated hull of grid points.
-class GridHull {
- public:
-  explicit GridHull(std::vector<GridPoint> points) : points_(std::move(points)) {}
-
-  /// False if all points lie in one plane.
-  bool build() {
-    if (!start()) return false;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) add(i);
-    return true;
-  }
-  const std::vector<Triangle>& triangles() const { return triangles_; }
-
- private:
-  /// Which side of the triangle's plane: above 0 means it sees the point.
-  int sideOf(const Triangle& triangle, std::uint32_t point) const {
-    const GridPoint& origin = points_[triangle[0]];
-    const GridPoint normal = crossOf(between(origin, points_[triangle[1]]), between(origin, points_[triangle[2]]));
-    const GridPoint to = between(origin, points_[point]);
-    const Wide sum = Wide(normal[0]) * to[0] + Wide(normal[1]) * to[1] + Wide(normal[2]) * to[2];
-    return sum > 0 ? 1 : (sum < 0 ? -1 : 0);
-  }
-
-  bool start() {
-    const auto count = static_cast<std::uint32_t>(points_.size());
-    std::uint32_t b = 1;
-    while (b < count && points_[b] == points_[0]) ++b;
-    std::uint32_t c = b + 1;
-    const GridPoint nowhere = {0, 0, 0};
-    while (c < count && crossOf(between(points_[0], points_[b]), between(points_[0], points_[c])) == nowhere) ++c;
-    std::uint32_t d = c + 1;
-    while (d < count && sideOf({0, b, c}, d) == 0) ++d;
-    if (d >= count) return false;
-    if (sideOf({0, b, c}, d) > 0) std::swap(b, c);
-    triangles_ = {{0, b, c}, {0, c, d}, {0, d, b}, {b, d, c}};
-    return true;
-  }
-
-  void add(std::uint32_t point) {
-    outline_.clear();
-    std::size_t kept = 0;
-    for (const Triangle& triangle : triangles_) {
-      if (sideOf(triangle, point) <= 0) {
-        triangles_[kept++] = triangle;
-        continue;
-      }
-      for (std::size_t k = 0; k < 3; ++k) outline_.push_back({triangle[k], triangle[(k + 1) % 3]});
-    }
-    triangles_.resize(kept);
-    std::sort(outline_.begin(), outline_.end());
-    for (const DirectedEdge& edge : outline_) {
-      const DirectedEdge reversed = {edge.second, edge.first};
-      if (!std::binary_search(outline_.begin(), outline_.end(), reversed)) {
-        triangles_.push_back({edge.first, edge.second, point});
-      }
-    }
-  }
-
-  using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<GridPoint> points_;
-  std::vector<Triangle> triangles_;
-  std::vector<DirectedEdge> outline_;
-};
 
 struct Bounds {
   Vec3d low;

@@ -30,7 +30,7 @@ struct Accuracy {
   float minVolumeScale = 1.0f;           // smallest piece that is a body, relative to the material's [-]
   std::int32_t maxDebris = 512;          // light pieces alive at once; the oldest are recycled
   std::int32_t maxBodies = 2048;         // dynamic pieces alive at once; the oldest resting ones become debris
-  float directSolveMassRatio = 50.0f;    // contacts between bodies further apart in mass are solved directly [-]; 0: never
+  float directSolveMassRatio = 200.0f;   // contacts between bodies further apart in mass are solved directly [-]; 0: never
 
   template <class Archive>
   void serialize(Archive& a) {

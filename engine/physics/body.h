@@ -63,6 +63,7 @@ struct Body {
   std::int32_t brokenTick = -1000;      // last tick it broke in: what is left does not break again in that tick
   BodyHandle striker;                   // a piece: who broke it loose; what it passes on soon after counts in that one's budget
   float timeUsed = 0.0f;                // of this tick: already moved to where it struck [s]; 0 between ticks
+  bool waitsAtGlass = false;            // this tick: what it struck breaks in the next one, it goes no further
   // Animated: where it goes this tick; velocities are derived from it.
   bool hasTarget = false;
   Transform target;

@@ -10,23 +10,6 @@ namespace {
 constexpr double kSoftness = 1e-5;
 constexpr int kMaxPivots = 24;
 
-/// One normal row of the block.
-struct BlockRow {
-  std::uint32_t single = 0;
-  int point = 0;
-  bool fixed = false;    // at its limit: known, not solved for
-  bool active = false;   // its impulse is positive
-  double start = 0.0;    // impulse before [N s]
-  double impulse = 0.0;
-};
-
-struct Block {
-  BlockRow rows[kMaxBlockRows];
-  double matrix[kMaxBlockRows][kMaxBlockRows];  // speed of row i per impulse of row j
-  double free[kMaxBlockRows];                   // speed above target with no impulse in the block
-  int count = 0;
-};
-
 Vec3 narrow(const Wide3<float>& v) { return Vec3(v.x, v.y, v.z); }
 
 double dotOf(const Wide3<float>& a, const Vec3& b) {
@@ -59,27 +42,27 @@ double speedOf(const Single& single, const Row<float>& row, const std::vector<So
          dotOf(row.angularA, a.angularVelocity);
 }
 
-void build(const Single* singles, std::uint32_t count, const std::vector<SolverBody>& bodies, Block& block) {
-  block.count = 0;
-  for (std::uint32_t s = 0; s < count; ++s)
-    for (int p = 0; p < singles[s].points; ++p)
-      {
-      const double impulse = static_cast<double>(singles[s].rows.point[p].impulse);
-      block.rows[block.count++] = {s, p, false, false, impulse, impulse};
-    }
+/// Takes in the present speeds and impulses. True if every row is already as it should be.
+bool isSolved(const Single* singles, const std::vector<SolverBody>& bodies, Block& block) {
+  constexpr double kTolerance = 1e-6;  // [m/s]
+  bool solved = true;
   for (int i = 0; i < block.count; ++i) {
-    const Single& a = singles[block.rows[i].single];
-    const Row<float>& rowA = a.rows.point[block.rows[i].point];
-    for (int j = 0; j <= i; ++j) {
-      const Single& b = singles[block.rows[j].single];
-      block.matrix[i][j] = block.matrix[j][i] = entry(a, rowA, b, b.rows.point[block.rows[j].point]);
-    }
+    const Single& single = singles[block.rows[i].single];
+    const Row<float>& row = single.rows.point[block.rows[i].point];
+    const auto impulse = static_cast<double>(row.impulse);
+    block.speed[i] = speedOf(single, row, bodies) - static_cast<double>(single.rows.target[block.rows[i].point]);
+    block.rows[i].start = block.rows[i].impulse = impulse;
+    block.rows[i].fixed = false;
+    solved = solved && block.speed[i] >= -kTolerance && (impulse == 0.0 || block.speed[i] <= kTolerance);
   }
+  return solved;
+}
+
+void start(Block& block) {
   for (int i = 0; i < block.count; ++i) {
-    const Single& a = singles[block.rows[i].single];
-    block.free[i] = speedOf(a, a.rows.point[block.rows[i].point], bodies) - static_cast<double>(a.rows.target[block.rows[i].point]);
-    for (int j = 0; j < block.count; ++j) block.free[i] -= block.matrix[i][j] * block.rows[j].impulse;
-    block.rows[i].active = block.rows[i].impulse > 0.0 || block.free[i] < 0.0;
+    block.free[i] = block.speed[i];
+    for (int j = 0; j < block.count; ++j) block.free[i] -= block.matrix[i][j] * block.rows[j].start;
+    block.rows[i].active = block.rows[i].start > 0.0 || block.free[i] < 0.0;
   }
 }
 
@@ -199,10 +182,24 @@ void applyRows(const Block& block, std::uint32_t light, Single* singles, std::ve
 
 }  // namespace
 
-void solveBlock(std::uint32_t light, Single* singles, std::uint32_t count, const BlockLimit* limits, std::uint32_t limitCount,
-                std::vector<SolverBody>& bodies) {
-  Block block;
-  build(singles, count, bodies, block);
+void buildBlock(const Single* singles, std::uint32_t count, Block& block) {
+  block.count = 0;
+  for (std::uint32_t s = 0; s < count; ++s)
+    for (int p = 0; p < singles[s].points; ++p) block.rows[block.count++] = {s, p, false, false, 0.0, 0.0};
+  for (int i = 0; i < block.count; ++i) {
+    const Single& a = singles[block.rows[i].single];
+    const Row<float>& rowA = a.rows.point[block.rows[i].point];
+    for (int j = 0; j <= i; ++j) {
+      const Single& b = singles[block.rows[j].single];
+      block.matrix[i][j] = block.matrix[j][i] = entry(a, rowA, b, b.rows.point[block.rows[j].point]);
+    }
+  }
+}
+
+void solveBlock(std::uint32_t light, Single* singles, const BlockLimit* limits, std::uint32_t limitCount,
+                std::vector<SolverBody>& bodies, Block& block) {
+  if (isSolved(singles, bodies, block)) return;
+  start(block);
   solveRows(block);
   while (applyLimits(limits, limitCount, block)) solveRows(block);
   applyRows(block, light, singles, bodies);

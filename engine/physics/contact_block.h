@@ -27,10 +27,31 @@ struct BlockLimit {
   float capacity = 0.0f;
 };
 
+/// One normal row of a block.
+struct BlockRow {
+  std::uint32_t single = 0;
+  int point = 0;
+  bool fixed = false;    // at its limit: known, not solved for
+  bool active = false;   // its impulse is positive
+  double start = 0.0;    // impulse before [N s]
+  double impulse = 0.0;
+};
+
+/// The rows of one light body and how they act on each other; built once, solved in every sweep.
+struct Block {
+  BlockRow rows[kMaxBlockRows];
+  double matrix[kMaxBlockRows][kMaxBlockRows];  // speed of row i per impulse of row j
+  double speed[kMaxBlockRows];                  // above target, now
+  double free[kMaxBlockRows];                   // the same with no impulse in the block
+  int count = 0;
+};
+
+void buildBlock(const Single* singles, std::uint32_t count, Block& block);
+
 /// All contacts of the body `light`: finds normal impulses for all rows of `singles` that leave every row at or above its target speed, none negative, and applies
 /// the change to the bodies. Where a limit is exceeded, its rows are scaled down to it and the others are solved again.
 /// Deterministic; at most a few factorisations of a kMaxBlockRows matrix.
-void solveBlock(std::uint32_t light, Single* singles, std::uint32_t count, const BlockLimit* limits, std::uint32_t limitCount,
-                std::vector<SolverBody>& bodies);
+void solveBlock(std::uint32_t light, Single* singles, const BlockLimit* limits, std::uint32_t limitCount,
+                std::vector<SolverBody>& bodies, Block& block);
 
 }  // namespace brittle::physics

@@ -108,6 +108,7 @@ void pushApart(State& state, const Contact& contact) {
   const Vec3& normal = contact.manifold.normal;
   for (int i = 0; i < contact.manifold.count; ++i) {
     const ManifoldPoint& point = contact.manifold.points[i];
+    if (point.separation > 0.0f) continue;  // it was open when the tick began: the next one sees what it has become
     const Vec3 onA = a.pose.toWorld(point.localA);
     const Vec3 onB = b.pose.toWorld(point.localB);
     const float overlap = -(onB - onA).dot(normal) - slop;
@@ -129,6 +130,7 @@ void pushApart(State& state, const Contact& contact) {
 void integrateVelocities(State& state, float dt) {
   state.bodies.forEach([&](BodyHandle, Body& body) {
     body.timeUsed = 0.0f;
+    body.waitsAtGlass = false;
     if (body.type == BodyType::Animated) followTarget(body, dt);
     if (!body.isDynamic() || !body.awake) return;
     body.velocity += state.gravity * (body.gravityScale * dt);

@@ -13,7 +13,7 @@ constexpr double kRegularisation = 1e-5;
 
 // Elimination costs up to the cube of a group's rows. Larger ones are cut into groups that the iterations bring together. Chosen:
 // the worst case, all on one body, stays at a few milliseconds.
-constexpr std::uint32_t kLargestGroup = 48;
+constexpr std::uint32_t kLargestGroup = 24;
 
 bool moves(const SolverBody* bodies, std::uint32_t slot) { return slot != kWorldBody && bodies[slot].invMass > 0.0f; }
 

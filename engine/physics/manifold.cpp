@@ -22,7 +22,8 @@ constexpr float kPreferA = 1e-5f;         // of two equally good faces A's is th
 constexpr float kNear = 0.25f;            // of the size: closer than this counts as touching [-]
 constexpr float kDepthBand = 0.02f;       // of the size: depths within it are equal [-]
 constexpr float kMergeRadius = 0.2f;      // of the size: a new point this near an old one replaces it (incremental) [-]
-constexpr float kMaxDrift = 0.1f;         // of the size: sideways drift after which a point is dropped (incremental) [-]
+constexpr float kMaxDrift = 0.25f;        // of the size: sideways drift after which a point is dropped (incremental) [-]
+constexpr float kTooDeep = 0.1f;          // of the size: overlaps deeper than this get all points at once (incremental) [-]
 constexpr float kMaxTurn = 0.035f;        // two degrees: recompute after that [rad]
 
 struct Scratch {
@@ -50,8 +51,8 @@ struct View {
 
 /// Separations along the kept normal, in A's frame. False if a point is beyond the margin by now.
 bool refresh(const View& view, Manifold& manifold) {
-  manifold.normal = view.poseA.rotate(manifold.localNormal);
-  const Vec3d normal = manifold.localNormal.cast<double>();
+  manifold.normal = (manifold.normalOfB ? view.poseB : view.poseA).rotate(manifold.localNormal);
+  const Vec3d normal = manifold.normalOfB ? view.pose.rotate(manifold.localNormal) : Vec3d(manifold.localNormal.cast<double>());
   for (int i = 0; i < manifold.count; ++i) {
     ManifoldPoint& point = manifold.points[i];
     point.separation = static_cast<float>(normal.dot(view.pose.apply(point.localB) - point.localA.cast<double>()));
@@ -109,8 +110,11 @@ void clipFaces(const Vec3& normal, float sign, const View& view, Scratch& s) {
   }
 }
 
+enum class Reference { None, OfA, OfB };  // whose face gives the normal
+
 /// Candidates of two facing faces, and the normal in A's frame. Leaves both alone if no face faces the other shape.
-bool facePoints(const View& view, const Separation& closest, const Vec3& closestNormal, const Vec3d& origin, Scratch& s, Vec3& normal) {
+Reference facePoints(const View& view, const Separation& closest, const Vec3& closestNormal, const Vec3d& origin, Scratch& s,
+                     Vec3& normal) {
   const Vec3 towardsA = view.poseB.unrotate(Vec3(-closest.normal));
   const std::uint32_t faceA = geometry::supportFace(view.a.convex, closestNormal);
   const std::uint32_t faceB = geometry::supportFace(view.b.convex, towardsA);
@@ -118,7 +122,7 @@ bool facePoints(const View& view, const Separation& closest, const Vec3& closest
   const float alongB = view.b.convex.faces[faceB].plane.normal.dot(towardsA);
   const bool ofB = alongB > alongA + kPreferA;
   const float along = ofB ? alongB : alongA;
-  if (along < (closest.distance <= kNear * view.size ? kFacing : kExactlyFacing)) return false;
+  if (along < (closest.distance <= kNear * view.size ? kFacing : kExactlyFacing)) return Reference::None;
   RelativePose own;
   cornersOf(view.a.convex, faceA, own, origin, ofB ? s.polygon : s.reference);
   cornersOf(view.b.convex, faceB, view.pose, origin, ofB ? s.reference : s.polygon);
@@ -126,7 +130,7 @@ bool facePoints(const View& view, const Separation& closest, const Vec3& closest
                            : view.a.convex.faces[faceA].plane.normal;
   clipFaces(outward, ofB ? -1.0f : 1.0f, view, s);
   normal = ofB ? Vec3(-outward) : outward;
-  return true;
+  return ofB ? Reference::OfB : Reference::OfA;
 }
 
 void setPoints(const View& view, const Vec3& origin, const Scratch& s, Manifold& manifold) {
@@ -157,8 +161,9 @@ void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
   const Vec3 origin = view.poseA.toLocal(closest.pointA);
   const Vec3 closestNormal = view.poseA.unrotate(closest.normal);
   Vec3 normal = closestNormal;
-  const bool faces =
-      !view.a.isSphere() && !view.b.isSphere() && facePoints(view, closest, closestNormal, origin.cast<double>(), s, normal);
+  const bool ball = view.a.isSphere() || view.b.isSphere();
+  const Reference reference = ball ? Reference::None : facePoints(view, closest, closestNormal, origin.cast<double>(), s, normal);
+  const bool faces = reference != Reference::None;
   // The closest point itself, unless the faces hold one as deep: the deepest corner need not belong to the face that faces A.
   const Vec3 apart = view.poseA.unrotate(Vec3(closest.pointB - closest.pointA));
   const float separation = faces ? normal.dot(apart) : closest.distance;
@@ -167,10 +172,10 @@ void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
   if (!found) s.candidates.push_back({Vec3::Zero(), apart, separation});
   reducePoints(normal, kDepthBand * view.size, s.candidates);
   setPoints(view, origin, s, manifold);
-  manifold.localNormal = normal;
   manifold.normal = faces ? view.poseA.rotate(normal) : closest.normal;
+  manifold.normalOfB = reference == Reference::OfB;
+  manifold.localNormal = manifold.normalOfB ? view.poseB.unrotate(manifold.normal) : normal;
   // A ball has one point whatever it does; other points are the same while they stay within the contact's own scale.
-  const bool ball = view.a.isSphere() || view.b.isSphere();
   keepImpulses(old, oldCount, ball ? 1.0e18f : maxOf(view.size, 0.25f * spreadOf(manifold)), manifold);
 }
 
@@ -201,6 +206,7 @@ bool addClosest(const View& view, const Separation& closest, Manifold& manifold)
   if (!merged) s.candidates.push_back(fresh);
   reducePoints(normal, kDepthBand * view.size, s.candidates);
   setPoints(view, Vec3::Zero(), s, manifold);
+  manifold.normalOfB = false;
   manifold.localNormal = normal;
   manifold.normal = closest.normal;
   return merged && !dropped && manifold.count == kMaxPoints;
@@ -219,7 +225,9 @@ void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const P
     return;
   }
   bool settled = true;
-  if (settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere()) clipAll(view, closest, manifold);
+  // One point a tick cannot hold up what already sinks in: thin shards drop their points by turning, and would go on sinking.
+  const bool atOnce = settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere() || closest.distance < -kTooDeep * view.size;
+  if (atOnce) clipAll(view, closest, manifold);
   else settled = addClosest(view, closest, manifold);
   if (!settled || a.isSphere() || b.isSphere()) return;
   manifold.computed = true;

@@ -75,6 +75,7 @@ void ContactSolver::storeBodies(State& state) const {
 void ContactSolver::prepare(State& state, float dt, bool warmStart) {
   singles_.clear();
   groups_.clear();
+  blockCount_ = 0;
   findLightBodies(state);
   for (std::uint32_t light = 0; light < isLight_.size(); ++light)
     if (isLight_[light] != 0) buildBlock(state, light, dt);
@@ -187,7 +188,9 @@ void ContactSolver::buildBlock(State& state, std::uint32_t light, float dt) {
   });
   const auto first = static_cast<std::uint32_t>(singles_.size());
   for (const std::uint32_t slot : blockContacts_) addSingle(state, slot, dt);
-  groups_.push_back({first, static_cast<std::uint32_t>(singles_.size()), light});
+  if (blockCount_ == blocks_.size()) blocks_.emplace_back();
+  physics::buildBlock(&singles_[first], static_cast<std::uint32_t>(blockContacts_.size()), blocks_[blockCount_]);
+  groups_.push_back({first, static_cast<std::uint32_t>(singles_.size()), light, blockCount_++});
 }
 
 void ContactSolver::buildStrikes(State& state, float dt) {
@@ -199,7 +202,7 @@ void ContactSolver::buildStrikes(State& state, float dt) {
       if (!state.contacts.at(slot).solvedAlone) addSingle(state, slot, dt);
     }
     const auto end = static_cast<std::uint32_t>(singles_.size());
-    if (end > first) groups_.push_back({first, end, kNobody});
+    if (end > first) groups_.push_back({first, end, kNobody, 0});
   }
 }
 
@@ -263,13 +266,13 @@ void ContactSolver::solveLightBody(State& state, const Group& group) {
     if (s != kNoStrike) {
       Strike& strike = state.strikes.list[s];
       strike.impulse -= sumOf(first, end);
-      const float left = strike.capacity - spentByPartners(state.strikes, s) - strike.impulse;
+      const float left = minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse;
       limits_.push_back({first - group.first, end - group.first, strike.isCapped ? maxOf(left, 0.0f) : 3.0e38f});
     }
     first = end;
   }
-  solveBlock(group.light, &singles_[group.first], group.end - group.first, limits_.data(),
-             static_cast<std::uint32_t>(limits_.size()), *bodies_);
+  solveBlock(group.light, &singles_[group.first], limits_.data(), static_cast<std::uint32_t>(limits_.size()), *bodies_,
+             blocks_[group.block]);
   for (const BlockLimit& limit : limits_)
     state.strikes.list[singles_[group.first + limit.first].strike].impulse += sumOf(group.first + limit.first, group.first + limit.end);
 }
@@ -286,7 +289,7 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
     physics::store(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);
-  const float left = maxOf(strike.capacity - spentByPartners(state.strikes, s) - strike.impulse, 0.0f);
+  const float left = maxOf(minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse, 0.0f);
   if (sum > left && strike.isCapped) scaleNormals(group, left / sum);
   strike.impulse += sumOf(group.first, group.end);
 }

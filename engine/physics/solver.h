@@ -47,6 +47,7 @@ class ContactSolver {
   struct Group {
     std::uint32_t first = 0, end = 0;
     std::uint32_t light = kNobody;
+    std::uint32_t block = 0;  // a light body's, in blocks_
   };
   static constexpr std::uint32_t kNobody = 0xffffffff;
 
@@ -72,6 +73,8 @@ class ContactSolver {
   std::vector<Single> singles_;
   std::vector<Group> groups_;
   std::vector<std::uint8_t> isLight_;                     // by body slot
+  std::vector<Block> blocks_;
+  std::uint32_t blockCount_ = 0;
   std::vector<std::uint32_t> blockContacts_;
   std::vector<BlockLimit> limits_;
   std::uint32_t batchCount_ = 0;

@@ -152,6 +152,8 @@ void classify(State& state, Strike& strike, float dt) {
     strike.touching = strike.touching || !isGapOpen(contact);
     for (int p = 0; p < contact.manifold.count; ++p) strike.impulse += contact.manifold.points[p].normalImpulse;
   }
+  // A piece in its maker's way is no shield and no lever: glass stops it, but only the maker's own touch breaks the glass.
+  strike.limit = strike.body == strike.striker ? strike.capacity : minOf(strike.capacity, strike.impulse + closing);
   bool waits = false;
   const bool paid = spent >= strength * (1.0f - 1e-6f);
   for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
@@ -161,9 +163,7 @@ void classify(State& state, Strike& strike, float dt) {
   }
   strike.mayBreak = state.bodies[strike.struck].brokenTick != state.tick;
   if (state.accuracy.fractureMode == FractureMode::InStep) {
-    // A piece its maker may be pushing is never weak: what it passes on through a gap would be paid again at the touch.
-    const bool weak = strike.body == strike.striker && closing < kWeakRatio * strike.capacity && !waits;
-    strike.active = !paid && (strike.touching || weak);
+    strike.active = !paid && (strike.touching || (closing < kWeakRatio * strike.capacity && !waits));
   } else {
     strike.active = !paid;
     strike.isCapped = state.accuracy.impulseCap;
@@ -327,9 +327,11 @@ bool advanceStrikers(State& state, float dt) {
   arrivals.clear();
   if (state.accuracy.fractureMode != FractureMode::InStep) return false;
   if (releaseThroughGaps(state)) return true;
+  for (const Strike& strike : state.strikes.list)
+    if (strike.saturated) state.bodies[sweptBody(state, strike)].waitsAtGlass = true;
   for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
     const Strike& strike = state.strikes.list[i];
-    if (strike.touching || strike.active || strike.capacity <= 0.0f) continue;
+    if (strike.touching || strike.active || strike.capacity <= 0.0f || state.bodies[sweptBody(state, strike)].waitsAtGlass) continue;
     const float time = timeReached(state, strike, dt);
     if (time >= 0.0f) arrivals.push_back({i, sweptBody(state, strike), time});
   }

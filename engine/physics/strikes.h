@@ -22,6 +22,7 @@ struct Strike {
   std::uint32_t firstContact = 0; // range in Strikes::contacts
   std::uint32_t contactCount = 0;
   float capacity = 0.0f;          // what is left of J before this tick's accumulated impulse [N s]
+  float limit = 0.0f;             // what this body alone may spend of it [N s]
   float impulse = 0.0f;           // accumulated in this tick by contacts that still exist [N s]
   float approachSpeed = 0.0f;     // before the solve, along the normal [m/s]
   Vec3 relativeVelocity = Vec3::Zero();  // of the striker at the point, before the solve [m/s]

@@ -25,6 +25,7 @@ void DrawList::clear() {
   opaque.clear();
   glass.clear();
   edges.clear();
+  nearestGlass = 0.0f;
 }
 
 void DrawListBuilder::collect(const MeshGroup& group, std::span<const Material> materials, const View& view, float farthest) {
@@ -96,6 +97,7 @@ void DrawListBuilder::build(const MeshGroup& group, std::span<const Material> ma
   };
   for (const Item& item : opaque_) add(item, list.opaque);
   for (const Item& item : glass_) add(item, list.glass);
+  if (!glass_.empty()) list.nearestGlass = glass_.back().depth;
 }
 
 }  // namespace brittle::render

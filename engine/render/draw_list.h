@@ -23,6 +23,7 @@ struct DrawList {
   std::vector<std::uint32_t> opaque;
   std::vector<std::uint32_t> glass;  // farthest convex first
   std::vector<EdgeInstance> edges;
+  float nearestGlass = 0.0f;         // depth of the last one [m]; 0 if there is none
 
   void clear();
 };

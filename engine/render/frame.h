@@ -147,7 +147,7 @@ struct Frame {
   Fog fog;
   Light light;
 
-  std::array<MeshGroup, kMaxGroups> groups;  // the nearer room first: glass of a later group is drawn before it
+  std::array<MeshGroup, kMaxGroups> groups;  // each is drawn as a whole, so glass of two must not interleave in depth
   std::vector<VisibleStatic> statics;
   std::vector<Sphere> spheres;
   std::vector<Crumb> crumbs;

@@ -55,19 +55,19 @@ Passes::Passes(const Gl& gl)
       hudBatch_(gl, sizeof(HudInstance), kHudLayout) {}
 
 Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
-  const ProgramSource* sources[kCount] = {&glsl::kBackground, &glsl::kRoom, &glsl::kSolid, &glsl::kSphere,
+  const ProgramSource* sources[kPrograms] = {&glsl::kBackground, &glsl::kRoom, &glsl::kSolid, &glsl::kSphere,
                                           &glsl::kCrumb,      &glsl::kShadow, &glsl::kGlass, &glsl::kEdge,
                                           &glsl::kGlow,       &glsl::kBeam, &glsl::kComposite, &glsl::kHud};
   std::unique_ptr<Passes> passes(new Passes(gl));
-  for (int i = 0; i < kCount; ++i) {
+  for (int i = 0; i < kPrograms; ++i) {
     Result<Program> program = Program::build(gl, *sources[i]);
     if (!program) return program.error();
     passes->programs_[static_cast<std::size_t>(i)] = std::move(*program);
   }
-  passes->roomOffset_ = passes->programs_[kRoom].location("offset");
-  passes->glassBend_ = passes->programs_[kGlass].location("bend");
-  passes->compositeTint_ = passes->programs_[kComposite].location("tint");
-  passes->compositeBorder_ = passes->programs_[kComposite].location("border");
+  passes->roomOffset_ = passes->programs_[kRoomProgram].location("offset");
+  passes->glassBend_ = passes->programs_[kGlassProgram].location("bend");
+  passes->compositeTint_ = passes->programs_[kCompositeProgram].location("tint");
+  passes->compositeBorder_ = passes->programs_[kCompositeProgram].location("border");
   return passes;
 }
 
@@ -106,7 +106,7 @@ void Passes::background() {
   setState(Depth::Write, Blend::Off, Faces::All);  // the depth mask also lets the clear through
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   setState(Depth::Off, Blend::Off, Faces::All);
-  use(kBackground);
+  use(kBackgroundProgram);
   gl_.BindVertexArray(empty_.name());
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
   count(1);
@@ -114,7 +114,7 @@ void Passes::background() {
 
 void Passes::beginRooms() {
   setState(Depth::Write, Blend::Off, Faces::Front);
-  use(kRoom);
+  use(kRoomProgram);
   bindTexture(gl_, kUnitTiles, tiles_.name());
 }
 
@@ -134,7 +134,7 @@ void Passes::drawTriangles(GLuint indexBuffer, const std::vector<std::uint32_t>&
 void Passes::solid(const MeshStore& store, const std::vector<std::uint32_t>& indices) {
   if (indices.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::All);
-  use(kSolid);
+  use(kSolidProgram);
   store.bind();
   drawTriangles(store.indexBuffer(), indices);
 }
@@ -142,7 +142,7 @@ void Passes::solid(const MeshStore& store, const std::vector<std::uint32_t>& ind
 void Passes::spheres(const std::vector<SphereInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::Front);
-  use(kSphere);
+  use(kSphereProgram);
   sphereBatch_.draw(gl_, instances);
   count(instances.size() * sphereBatch_.triangles());
 }
@@ -150,7 +150,7 @@ void Passes::spheres(const std::vector<SphereInstance>& instances) {
 void Passes::crumbs(const std::vector<PlaceInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::All);
-  use(kCrumb);
+  use(kCrumbProgram);
   crumbBatch_.draw(gl_, GL_TRIANGLES, kTetrahedronVertices, instances);
   count(instances.size() * 4);
 }
@@ -160,7 +160,7 @@ void Passes::shadows(const std::vector<ShadowInstance>& instances, Target& targe
   target.copyDepth(kUnitDepth);
   // Back faces without a depth test: seen from inside the box, too.
   setState(Depth::Off, Blend::Over, Faces::Back);
-  use(kShadow);
+  use(kShadowProgram);
   shadowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kBoxVertices, instances);
   count(instances.size() * 12);
 }
@@ -168,7 +168,7 @@ void Passes::shadows(const std::vector<ShadowInstance>& instances, Target& targe
 void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction) {
   if (indices.empty()) return;
   setState(Depth::Test, Blend::Premultiplied, Faces::All);
-  use(kGlass);
+  use(kGlassProgram);
   gl_.Uniform4f(glassBend_, refraction, 0.0f, 0.0f, 0.0f);
   store.bind();
   drawTriangles(store.indexBuffer(), indices);
@@ -177,7 +177,7 @@ void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& ind
 void Passes::edges(const MeshStore& store, const std::vector<EdgeInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Premultiplied, Faces::All);
-  use(kEdge);
+  use(kEdgeProgram);
   store.bindTables();
   edgeBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
@@ -187,7 +187,7 @@ void Passes::edges(const MeshStore& store, const std::vector<EdgeInstance>& inst
 void Passes::glows(const std::vector<PlaceInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Add, Faces::All);
-  use(kGlow);
+  use(kGlowProgram);
   glowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }
@@ -195,7 +195,7 @@ void Passes::glows(const std::vector<PlaceInstance>& instances) {
 void Passes::beams(const std::vector<BeamInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Add, Faces::All);
-  use(kBeam);
+  use(kBeamProgram);
   beamBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }
@@ -204,7 +204,7 @@ void Passes::composite(Target& target, const Vec4& tint, const Vec4& border) {
   target.resolve(kUnitColor);
   target.bindPicture();
   setState(Depth::Off, Blend::Off, Faces::All);
-  use(kComposite);
+  use(kCompositeProgram);
   set(gl_, compositeTint_, tint);
   set(gl_, compositeBorder_, border);
   gl_.BindVertexArray(empty_.name());
@@ -216,7 +216,7 @@ void Passes::composite(Target& target, const Vec4& tint, const Vec4& border) {
 void Passes::hud(const std::vector<HudInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Off, Blend::Over, Faces::All);
-  use(kHud);
+  use(kHudProgram);
   bindTexture(gl_, kUnitStrokes, strokes_.name());
   hudBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);

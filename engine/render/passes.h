@@ -45,7 +45,21 @@ class Passes {
   FrameCounters& counters() { return counters_; }
 
  private:
-  enum Which { kBackground, kRoom, kSolid, kSphere, kCrumb, kShadow, kGlass, kEdge, kGlow, kBeam, kComposite, kHud, kCount };
+  enum Which {
+    kBackgroundProgram,
+    kRoomProgram,
+    kSolidProgram,
+    kSphereProgram,
+    kCrumbProgram,
+    kShadowProgram,
+    kGlassProgram,
+    kEdgeProgram,
+    kGlowProgram,
+    kBeamProgram,
+    kCompositeProgram,
+    kHudProgram,
+    kPrograms
+  };
   enum class Blend { Off, Over, Premultiplied, Add };
   enum class Depth { Off, Test, Write };
   enum class Faces { All, Front, Back };
@@ -57,7 +71,7 @@ class Passes {
   void count(std::size_t triangles);
 
   const Gl& gl_;
-  std::array<Program, kCount> programs_;
+  std::array<Program, kPrograms> programs_;
   GlBuffer frameBlock_, materialBlock_;
   GlVertexArray empty_;  // passes without attributes still need one bound
   GlTexture strokes_, tiles_;

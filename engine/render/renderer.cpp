@@ -36,7 +36,7 @@ struct Renderer::Parts {
   std::map<StaticId, StaticMesh> statics;
   StaticId nextStatic = 1;
   std::vector<Group> stores;      // of the pools seen in the last frame
-  std::vector<Group*> groups;     // of this frame, nearest first
+  std::vector<Group*> groups;     // of this frame, farthest first
   DrawListBuilder builder;
   Instances instances;
 
@@ -72,6 +72,8 @@ void Renderer::Parts::syncGroups(const Frame& frame, const View& view) {
     builder.build(mesh, materials, view, farthest, group.list);
     groups.push_back(&group);
   }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group* a, const Group* b) { return a->list.nearestGlass > b->list.nearestGlass; });
 }
 
 void Renderer::Parts::drawOpaque(const Frame& frame) {
@@ -91,9 +93,9 @@ void Renderer::Parts::drawTranslucent() {
   BR_ZONE("render glass");
   const bool hasGlass = std::any_of(groups.begin(), groups.end(), [](const Group* g) { return !g->list.glass.empty(); });
   if (hasGlass && def.refraction) target->copyColor(kUnitColor);
-  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
-    passes->glass(*(*group)->store, (*group)->list.glass, def.refraction ? kRefraction : 0.0f);
-    passes->edges(*(*group)->store, (*group)->list.edges);
+  for (const Group* group : groups) {
+    passes->glass(*group->store, group->list.glass, def.refraction ? kRefraction : 0.0f);
+    passes->edges(*group->store, group->list.edges);
   }
   passes->beams(instances.beams);
   passes->glows(instances.glows);

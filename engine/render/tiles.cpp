@@ -37,7 +37,7 @@ float bricks(float x, float y, int rows) {
 float pattern(int family, int variant, float x, float y) {
   const float n = static_cast<float>(variant + 1);
   switch (family) {
-    case 0: return variant == 0 ? 1.0f : 1.0f - 0.4f * speckle(x, y, 16 << (variant % 3), variant);       // plain, grain
+    case 0: return variant == 0 ? 1.0f : 1.0f - 0.2f * speckle(x, y, 16 << (variant % 3), variant);       // plain, grain
     case 1: return minOf(groove(toLine(x, n), 0.02f), groove(toLine(y, n), 0.02f));                          // panels
     case 2: return groove(toLine(y, n), 0.03f);                                                              // planks across
     case 3: return groove(toLine(x, n), 0.03f);                                                              // planks upright

@@ -6,6 +6,9 @@
 
 namespace brittle::sim::rules {
 
+/// Raised by every change that changes results: a replay of another version is refused.
+inline constexpr std::uint32_t kSimulationVersion = 1;
+
 // Time.
 inline constexpr int kTickRate = 60;                    // [ticks/s], format
 inline constexpr float kTickSeconds = 1.0f / 60.0f;     // [s]

@@ -78,7 +78,9 @@ TEST(B23, AChainWhoseLoadedLinkBreaksStaysCalm) {
   double energy = chain.energy();
   const double moving = totalsOf(chain.world).kineticEnergy;
   chain.world.step(kTick);
-  ASSERT_EQ(chain.world.counters().breaks, 1u) << "the link breaks in this tick";
+  bool broke = false;
+  for (const BreakEvent& event : chain.world.events().breaks) broke = broke || event.body == chain.links[kLinks / 2];
+  ASSERT_TRUE(broke) << "the link breaks in this tick";
   float after = chain.anchorError();
   EXPECT_LE(chain.energy(), energy + 1e-6 * moving);
   for (int i = 0; i < 300; ++i) {

@@ -53,7 +53,8 @@ std::uint64_t cuts() {
     const std::uint32_t which = random.nextBelow(static_cast<std::uint32_t>(pieces.size()));
     const Vec3 normal = normalizedOr(randomVector(random, 1.0f), Vec3::UnitX());
     const Vec3 center = geometry::massOf<float>(pieces[which].view()).center;
-    const auto outcome = geometry::split<float>(pieces[which].view(), planeThrough(center, normal), {}, scratch, above, below);
+    const auto outcome =
+        geometry::split<float>(pieces[which].view(), planeThrough(center, normal), {}, scratch, above, below);
     hash.add(static_cast<std::uint32_t>(outcome));
     if (outcome != geometry::SplitOutcome::Split) continue;
     pieces[which].assign(above.view());

@@ -1,4 +1,5 @@
-// state_hash: one hash per line of what must be the same on every compiler and processor. tools/cross_hash compares builds.
+// state_hash: one hash per line of what must be the same on every compiler and processor. tools/cross_hash compares
+// builds.
 #include <cstdio>
 
 #include "tools/state_hash/sections.h"

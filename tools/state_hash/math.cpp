@@ -75,7 +75,8 @@ std::uint64_t lanes() {
       b.x[lane] = v.x(), b.y[lane] = v.y(), b.z[lane] = v.z();
     }
     const Wide3<Float4> c = a * splat(0.7f) - b;
-    sum = maxOf(minOf(sum * splat(0.5f) + dot(c, a + b * splat(0.3f)), splat(100.0f)), splat(-100.0f)) + squareRoot(dot(c, c));
+    sum = maxOf(minOf(sum * splat(0.5f) + dot(c, a + b * splat(0.3f)), splat(100.0f)), splat(-100.0f)) +
+          squareRoot(dot(c, c));
     for (int lane = 0; lane < kLanes; ++lane) hash.add(static_cast<float>(sum[lane]));
   }
   return hash.value();

@@ -1,5 +1,5 @@
-// Ten seconds of a small scene with everything in it: panes standing on the floor, one hanging from joints, blocks, balls, debris, a
-// shift of the origin. One hash a second, so that a difference says when it began.
+// Ten seconds of a small scene with everything in it: panes standing on the floor, one hanging from joints, blocks,
+// balls, debris, a shift of the origin. One hash a second, so that a difference says when it began.
 #include "engine/geometry/make.h"
 #include "engine/physics/world.h"
 #include "tools/state_hash/sections.h"
@@ -15,15 +15,20 @@ class Scene {
  public:
   Scene() {
     addBox(BodyType::Static, Vec3(0.0f, -0.5f, 0.0f), Vec3(10.0f, 0.5f, 10.0f), 0.0f);
-    for (int i = 0; i < 3; ++i) world_.anchor(addPane(BodyType::Static, Vec3(0.1f * static_cast<float>(i), 0.75f, -1.5f * static_cast<float>(i))));
+    for (int i = 0; i < 3; ++i)
+      world_.anchor(
+          addPane(BodyType::Static, Vec3(0.1f * static_cast<float>(i), 0.75f, -1.5f * static_cast<float>(i))));
     hang(addPane(BodyType::Dynamic, Vec3(1.6f, 2.0f, -1.0f)));
     for (int row = 0; row < 3; ++row)
       for (int i = 0; i < 3; ++i)
-        addBox(BodyType::Dynamic, Vec3(-2.0f + 0.42f * static_cast<float>(i), 0.2f + 0.4f * static_cast<float>(row), -2.0f), Vec3(0.2f, 0.2f, 0.2f), 40.0f);
+        addBox(BodyType::Dynamic,
+               Vec3(-2.0f + 0.42f * static_cast<float>(i), 0.2f + 0.4f * static_cast<float>(row), -2.0f),
+               Vec3(0.2f, 0.2f, 0.2f), 40.0f);
   }
 
   void step(int tick) {
-    if (tick % 60 == 20) throwBall(Vec3(0.3f * static_cast<float>(tick / 60 % 5) - 0.6f, 1.0f, 4.0f), Vec3(0.0f, 1.0f, -22.0f));
+    if (tick % 60 == 20)
+      throwBall(Vec3(0.3f * static_cast<float>(tick / 60 % 5) - 0.6f, 1.0f, 4.0f), Vec3(0.0f, 1.0f, -22.0f));
     if (tick % 120 == 50) throwBall(Vec3(1.5f, 1.8f, 4.0f), Vec3(0.2f, 0.5f, -14.0f));
     if (tick % 150 == 90) throwBall(Vec3(-1.8f, 0.8f, 4.0f), Vec3(0.0f, 0.0f, -18.0f));
     if (tick == 300) shift(Vec3(0.0f, 0.0f, -2.5f));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -131,6 +132,25 @@ class CutCube {
   std::size_t count_ = 0;
   SplitScratchT<S> scratch_;
 };
+
+inline bool isSame(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(float) * 3) == 0;
+}
+inline bool isSame(const Plane& a, const Plane& b) {
+  return isSame(a.normal, b.normal) && a.offset == b.offset;
+}
+
+/// The corners of the last face, in loop order.
+inline std::vector<Vec3> capOf(const Convex& piece) {
+  std::vector<Vec3> corners;
+  const std::uint32_t first = piece.faces.back().edge;
+  std::uint32_t edge = first;
+  do {
+    corners.push_back(piece.view().startOf(edge));
+    edge = piece.edges[edge].next;
+  } while (edge != first);
+  return corners;
+}
 
 /// Volume summed in A over tetrahedra from the first vertex. [m3]
 template <class A, class S>

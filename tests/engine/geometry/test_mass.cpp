@@ -131,6 +131,17 @@ TEST(Mass, SliversAndNeedlesStayPositiveDefinite) {
   }
 }
 
+// Thicker than nothing on one side, inside out on the other: with both weighed, the centre would lie far outside.
+TEST(Mass, PiecesPartlyInsideOutCountAsTheirBounds) {
+  Convex bowTie = makeBox<float>(Vec3::Ones());
+  for (Vertex& vertex : bowTie.vertices) vertex.point.z() *= 0.5f * (vertex.point.x() + 0.1f);
+  const MassProperties mass = massOf(bowTie.view());
+  EXPECT_FLOAT_EQ(mass.volume, 0.4f);
+  EXPECT_LT(mass.center.norm(), 1e-6f);
+  EXPECT_FLOAT_EQ(mass.inertia(2, 2), 0.4f * 8.0f / 12.0f);
+  EXPECT_TRUE(isPositiveDefinite(mass.inertia));
+}
+
 TEST(Mass, CombinedDoesNotDependOnTheOrder) {
   const MassProperties a = massOf(makeBox<float>(Vec3(0.5f, 1.0f, 1.0f), Vec3(-0.5f, 0.0f, 0.0f)).view());
   const MassProperties b = massOf(makeBox<float>(Vec3(1.0f, 1.0f, 1.0f), Vec3(1.0f, 0.0f, 0.0f)).view());

@@ -2,8 +2,6 @@
 // forms can be compared with JointSolver alone.
 #pragma once
 
-#include <Eigen/LU>
-
 #include "engine/physics/state.h"
 
 namespace brittle::physics::test {
@@ -140,7 +138,12 @@ struct JointScene {
     const Vec3 w = b.pose.rotation.conjugate() * b.angularVelocity;
     const Vec3 spin = b.localInertia * w;
     const Mat3 slope = b.localInertia + dt * (crossMatrix(w) * b.localInertia - crossMatrix(spin));
-    b.angularVelocity = b.pose.rotation * Vec3(w - slope.inverse() * (dt * w.cross(spin)));
+    const Vec3 rows[3] = {slope.row(0), slope.row(1), slope.row(2)};
+    const Vec3 right = dt * w.cross(spin);
+    // The inverse's columns are the cross products of the rows over the determinant.
+    const Vec3 change = (rows[1].cross(rows[2]) * right.x() + rows[2].cross(rows[0]) * right.y() + rows[0].cross(rows[1]) * right.z()) /
+                        rows[0].dot(rows[1].cross(rows[2]));
+    b.angularVelocity = b.pose.rotation * Vec3(w - change);
   }
   void integrateVelocities() {
     state.solverBodies.assign(state.bodies.capacity(), SolverBody{});

@@ -173,6 +173,50 @@ TEST(Joint, GoesOnAfterASnapshotAsWithoutOne) {
   }
 }
 
+/// How far a driven plate of 5 kg is behind its place after a ball of 1 kg at 10 m/s struck it, at most. [m]
+float knockedBy(float strength) {
+  World world(weightless());
+  const BodyHandle plate = addBox(world, bodyAt(Vec3::Zero()), Vec3(0.5f, 0.5f, 0.05f), shapeDef(50.0f));
+  DriveDef drive;
+  drive.assembly = world.body(plate).assembly;
+  drive.drivePosition = drive.driveRotation = true;
+  drive.strength = strength;
+  world.createDrive(drive);
+  addBall(world, Vec3(0.0f, 0.0f, 1.0f), Vec3(0.0f, 0.0f, -10.0f), 0.1f, 1.0f);
+  float farthest = 0.0f;
+  for (int i = 0; i < 240; ++i) {
+    world.step(kTick);
+    farthest = maxOf(farthest, world.body(plate).center.norm());
+  }
+  return farthest;
+}
+
+TEST(Drive, ABallKnocksASoftPlateAsideButNotARigidOne) {
+  const float common = 10.0f / 6.0f;  // speed of both after the hit, without the drive
+  EXPECT_GT(knockedBy(0.5f), 0.5f * common * common / 20.0f);
+  EXPECT_LT(knockedBy(10.0f), 0.03f);
+  EXPECT_LT(knockedBy(100.0f), 1e-3f);
+}
+
+TEST(Drive, MovesBothPartsOfABrokenAssembly) {
+  World world;
+  BodyDef def = bodyAt(Vec3(0.0f, 3.0f, 0.0f));
+  def.breakable.strength = 1.0f;
+  const BodyHandle plate = addBox(world, def, Vec3(1.0f, 0.1f, 0.02f), shapeDef(2500.0f));
+  DriveDef drive;
+  drive.assembly = world.body(plate).assembly;
+  drive.drivePosition = drive.driveRotation = true;
+  drive.position = Vec3(0.0f, 3.0f, 0.0f);
+  drive.strength = 5.0f;
+  world.createDrive(drive);
+  world.breakBody(plate, Vec3(0.0f, 3.0f, 0.02f), -Vec3::UnitZ(), 10.0f, 0.05f);
+  for (int i = 0; i < 60; ++i) world.step(kTick);
+  std::vector<BodyHandle> bodies;
+  world.bodiesOf(drive.assembly, bodies);
+  EXPECT_GT(bodies.size(), 2u);
+  for (const BodyHandle body : bodies) EXPECT_LT((world.body(body).pose.position - drive.position).norm(), 1e-3f) << body.index;
+}
+
 /// A hub of steel with an arm of glass, turned by a motor. The arm breaks off and flies where it went.
 TEST(Joint, ABrokenRotorArmFliesOffTangentially) {
   World world(weightless());

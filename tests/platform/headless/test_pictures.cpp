@@ -162,6 +162,19 @@ TEST(Pictures, DrawTheSameWhateverTheOrderOfMeshes) {
   EXPECT_EQ(image.pixels, studio.draw(frame).pixels);
 }
 
+TEST(Pictures, DrawTheSameWhateverTheOrderOfGroups) {
+  Studio studio(kSmall);
+  geometry::MeshPool now, next;
+  Frame frame = clearAir();
+  addPane(frame, now, -3.0f, Rgb(1.0f, 0.5f, 0.5f));
+  frame.groups[1] = frame.groups[0];
+  frame.groups[0] = {};
+  addPane(frame, next, -5.0f, Rgb(0.5f, 0.5f, 1.0f));
+  const Image image = studio.draw(frame);
+  std::swap(frame.groups[0], frame.groups[1]);
+  EXPECT_EQ(image.pixels, studio.draw(frame).pixels);
+}
+
 TEST(Pictures, MoveMeshesWithTheirBodies) {
   Studio studio(kSmall);
   geometry::MeshPool pool;

@@ -1,0 +1,45 @@
+#include "game/view/look.h"
+
+namespace brittle::view {
+namespace {
+
+render::BakeBox boxOf(const sim::LookBox& from) {
+  render::BakeBox box;
+  box.center = from.center;
+  box.halfExtents = from.halfExtents;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.color[i] = from.color[i];
+    box.tile[i] = from.tile[i];
+    box.tileSize[i] = from.tileSize[i];
+    box.tileRotation[i] = from.tileRotation[i];
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<render::Material> materials() {
+  using enum sim::Look;
+  std::vector<render::Material> table(static_cast<std::size_t>(Door) + 1);
+  const auto of = [&table](sim::Look look) -> render::Material& { return table[static_cast<std::size_t>(look)]; };
+  of(Static) = {.color = {0.80f, 0.82f, 0.84f}, .gloss = 0.2f};
+  of(Glass) = {
+      .look = render::Look::Glass, .color = {0.97f, 1.0f, 1.0f}, .gloss = 0.9f, .clarity = 0.85f, .edge = 0.9f};
+  of(Metal) = {.color = {0.86f, 0.88f, 0.92f}, .metalness = 1.0f, .gloss = 0.55f};
+  of(Wood) = {.color = {0.74f, 0.55f, 0.38f}, .gloss = 0.25f};
+  of(Stone) = {.color = {0.72f, 0.72f, 0.74f}, .gloss = 0.15f};
+  of(Crystal) = {.look = render::Look::Glass, .gloss = 1.0f, .clarity = 0.5f, .edge = 1.0f};
+  of(Ball) = {.color = {0.86f, 0.87f, 0.90f}, .metalness = 1.0f, .gloss = 0.9f};
+  of(Door) = {.color = {0.90f, 0.92f, 0.96f}, .metalness = 0.6f, .gloss = 0.45f};
+  return table;
+}
+
+render::BakedMesh bakeSegment(const sim::SegmentLook& look) {
+  std::vector<render::BakeBox> boxes;
+  for (const sim::LookBox& box : look.boxes) boxes.push_back(boxOf(box));
+  render::BakeDef def;
+  def.light = {look.light[0], look.light[1], look.light[2], look.light[3], look.light[4], look.light[5]};
+  return render::bake(boxes, def);
+}
+
+}  // namespace brittle::view

@@ -1,0 +1,20 @@
+// view/look.h - how the game's things look: a draw material per sim::Look, and segments as baked meshes. No GL, no game
+// state.
+#pragma once
+
+#include <vector>
+
+#include "engine/render/bake.h"
+#include "engine/render/material.h"
+#include "game/sim/frame_packet.h"
+
+namespace brittle::view {
+
+/// The material table, indexed by sim::Look.
+std::vector<render::Material> materials();
+
+/// A segment's boxes as triangles in the segment's frame, with the light of its faces and ambient occlusion in the
+/// vertices. The same look gives the same mesh.
+render::BakedMesh bakeSegment(const sim::SegmentLook& look);
+
+}  // namespace brittle::view

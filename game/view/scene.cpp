@@ -1,0 +1,120 @@
+#include "game/view/scene.h"
+
+#include <cmath>
+#include <utility>
+
+#include "game/view/hud.h"
+#include "game/view/interpolate.h"
+#include "game/view/look.h"
+#include "game/view/particles.h"
+#include "game/view/shadows.h"
+
+namespace brittle::view {
+namespace {
+
+constexpr float kFogBlendTicks = 60.0f;  // from one room's fog to the next one's
+constexpr float kRopeRadius = 0.012f;    // [m]
+constexpr float kLaserRadius = 0.05f;    // [m]
+constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
+constexpr float kCrashShake = 0.7f;      // of the most, at the moment of a crash
+
+float smooth(float t) {
+  return t * t * (3.0f - 2.0f * t);
+}
+
+render::Fog mix(const render::Fog& a, const render::Fog& b, float t) {
+  render::Fog fog = b;
+  fog.bottom = a.bottom + (b.bottom - a.bottom) * t;
+  fog.top = a.top + (b.top - a.top) * t;
+  return fog;
+}
+
+/// Irregular, smooth, in about [-1, 1]; `t` in ticks.
+float wobble(float t, float phase) {
+  return 0.6f * std::sin(t * 0.83f + phase) + 0.4f * std::sin(t * 1.57f + 2.3f * phase);
+}
+
+}  // namespace
+
+Scene::Scene(render::Renderer& renderer) : statics_(renderer) {
+  renderer.setMaterials(materials());
+}
+
+void Scene::tick(const sim::FramePacket& packet) {
+  std::swap(before_, now_);
+  now_ = packet;
+  memory_.tick(packet);
+}
+
+void Scene::reset() {
+  memory_.clear();
+  statics_.clear();
+  before_ = now_ = {};
+  ++resets_;
+}
+
+void Scene::placeCamera(double tick) {
+  const sim::Camera& from = seen_.camera;
+  render::Camera& camera = frame_.camera;
+  camera.position = from.position;
+  camera.rotation = from.rotation;
+  if (from.halfWidthTangent > 0.0f) camera.tanHalfWidth = from.halfWidthTangent;
+  if (from.near > 0.0f) camera.nearPlane = from.near;
+  if (from.far > camera.nearPlane) camera.farPlane = from.far;
+  const float pain = clampTo(seen_.hud.pain, 0.0f, 1.0f);
+  const float shake = clampTo(seen_.shake + kCrashShake * pain * pain, 0.0f, 1.0f) * kMostShake;
+  if (shake <= 0.0f) return;
+  const auto t = static_cast<float>(std::fmod(tick, 36000.0));
+  camera.position += camera.rotation * Vec3(shake * wobble(t, 0.0f), shake * wobble(t, 1.7f), 0.0f);
+  camera.rotation = camera.rotation * rotationAbout(Vec3::UnitZ(), shake * 0.5f * wobble(t, 4.1f));
+}
+
+void Scene::addRooms(const MeshPools& pools) {
+  statics_.show(seen_.rooms, frame_.statics);
+  for (std::size_t i = 0; i < seen_.rooms.size() && i < render::kMaxGroups; ++i) {
+    const sim::RoomView& room = seen_.rooms[i];
+    render::MeshGroup& group = frame_.groups[i];
+    group.pool = room.slot < pools.size() ? pools[room.slot] : nullptr;
+    group.poolId = (resets_ << 32) + room.number + 1;
+    if (group.pool == nullptr) continue;
+    for (const sim::BodyPose& body : room.bodies) group.bodies.push_back(body.pose);
+    for (geometry::MeshSlot slot = 0; slot < group.pool->slotCount(); ++slot) {
+      const geometry::MeshInfo& info = group.pool->info(slot);
+      // The room's own boxes are seen as baked meshes.
+      if (!info.alive || info.material == static_cast<std::uint16_t>(sim::Look::Static)) continue;
+      if (info.bodySlot >= room.bodies.size() || room.bodies[info.bodySlot].generation == 0) continue;
+      group.meshes.push_back({slot, info.bodySlot, info.material, render::kWhite});
+    }
+    addShadows(group, frame_.shadows);
+  }
+}
+
+void Scene::addThings() {
+  const std::uint32_t rope = render::packRgba(render::Rgb(0.75f, 0.85f, 0.90f), 0.35f);
+  const std::uint32_t laser = render::packRgba(render::Rgb(1.0f, 0.25f, 0.20f));
+  for (const sim::RoomView& room : seen_.rooms) {
+    for (const sim::CrumbView& crumb : room.crumbs)
+      frame_.crumbs.push_back({crumb.position, crumb.radius, crumb.color});
+    for (const sim::RopeView& line : room.ropes) frame_.beams.push_back({line.from, line.to, kRopeRadius, rope});
+    for (const sim::RopeView& line : room.beams) frame_.beams.push_back({line.from, line.to, kLaserRadius, laser});
+  }
+  const auto material = static_cast<std::uint16_t>(sim::Look::Ball);
+  for (const sim::BallView& ball : seen_.balls)
+    frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, render::kWhite});
+}
+
+const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools) {
+  interpolate(before_, now_, alpha, seen_);
+  const double tick = static_cast<double>(now_.tick) - 1.0 + static_cast<double>(clampTo(alpha, 0.0f, 1.0f));
+  frame_.clear();
+  placeCamera(tick);
+  const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
+  frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
+  addRooms(pools);
+  addThings();
+  addParticles(seen_, memory_, tick, aspect, frame_);
+  addHud(seen_, memory_, tick, frame_);
+  return frame_;
+}
+
+}  // namespace brittle::view

@@ -1,0 +1,43 @@
+// view/scene.h - a game as a picture: the packets of the last ticks become a render::Frame. Reads copied packets only,
+// never the live simulation; the mesh pools are passed in for the renderer to mirror. Used by the program, for windows
+// and for replays alike.
+#pragma once
+
+#include <array>
+
+#include "game/view/memory.h"
+#include "game/view/statics.h"
+
+namespace brittle::view {
+
+/// By room slot (Game::meshes); null where there is no room.
+using MeshPools = std::array<geometry::MeshPool*, render::kMaxGroups>;
+
+class Scene {
+ public:
+  /// `renderer` must outlive it; gets this view's materials.
+  explicit Scene(render::Renderer& renderer);
+
+  /// After each tick of the game, and once before the first.
+  void tick(const sim::FramePacket& packet);
+  /// Another game, or another place in a replay, follows: forgets everything.
+  void reset();
+
+  /// The picture `alpha` of the way (0 to 1) between the last two ticks. Depends on the packets of the last
+  /// kMemoryTicks ticks, the pools and the arguments only. The frame points into `pools`: draw it before the game goes
+  /// on. `aspect`: width over height.
+  const render::Frame& build(float alpha, float aspect, const MeshPools& pools);
+
+ private:
+  void addRooms(const MeshPools& pools);
+  void addThings();
+  void placeCamera(double tick);
+
+  Statics statics_;
+  Memory memory_;
+  sim::FramePacket before_, now_, seen_;
+  render::Frame frame_;
+  std::uint64_t resets_ = 0;
+};
+
+}  // namespace brittle::view

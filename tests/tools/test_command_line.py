@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""The program from outside: wrong input gives one line, exit status 2 and nothing half-written; help has examples.
+
+usage: test_command_line.py PROGRAM ROOT
+"""
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM, ROOT = Path(sys.argv[1]), Path(sys.argv[2])
+SCRIPT = 'level("first") seed(7)\nthrow{tick=60, x=0, y=0}\nrun(150)\nexpect_finite()\n'
+
+
+def brittle(*arguments, **options):
+    return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=ROOT, **options)
+
+
+class CommandLine(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.scratch.name)
+        (cls.folder / "game.lua").write_text(SCRIPT)
+        cls.replay = cls.folder / "game.brt"
+        result = brittle("smoke", cls.folder / "game.lua", "--record", cls.replay)
+        assert result.returncode == 0, result.stdout + result.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def refused(self, *arguments, says):
+        """One line on standard error, status 2, and no file that was not there before."""
+        before = sorted(self.folder.rglob("*"))
+        result = brittle(*arguments)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertTrue(result.stderr.startswith("brittle: "), result.stderr)
+        self.assertIn(says, result.stderr)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+    def render(self, *arguments, says, replay=None):
+        self.refused("render", replay or self.replay, "--out", self.folder / "out", *arguments, says=says)
+
+    def test_every_command_has_help_with_examples(self):
+        for command in ["play", "render", "verify", "smoke", "check", "explain"]:
+            result = brittle(command, "--help")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("Examples:", result.stdout, command)
+        self.assertEqual(brittle("--help").returncode, 0)
+
+    def test_unknown_commands_and_options_are_refused(self):
+        self.refused(says="subcommand")
+        self.refused("smash", says="smash")
+        self.refused("render", self.replay, says="--out")
+        self.refused("verify", self.replay, "--quick", says="--quick")
+
+    def test_sizes_and_ranges(self):
+        for size in ["0x0", "640", "640x", "-5x5", "99999x5", "5x5x5", "axb"]:
+            self.render("--size", size, says=f"--size {size}: expected WIDTHxHEIGHT")
+        self.render("--frames", "9..3", says="ends before it begins")
+        for frames in ["x", "..", "1..", "-1..5", "1..2..3"]:
+            self.render(f"--frames={frames}", says="expected FIRST..LAST")
+        self.render("--frames", "100..9999", says="the replay has frames 0..150")
+        self.render("--backend", "vulkan", says="expected egl or osmesa")
+        self.render("--every", "0", says="--every")
+        self.render("--samples", "3", says="--samples")
+
+    def test_missing_and_damaged_replays(self):
+        self.render(replay=self.folder / "none.brt", says="no such file")
+        self.refused("verify", self.folder, says="no such file")
+        empty, cut, other = self.folder / "empty.brt", self.folder / "cut.brt", self.folder / "other.brt"
+        data = self.replay.read_bytes()
+        empty.write_bytes(b"")
+        cut.write_bytes(data[:-1])
+        other.write_bytes(data[:12] + struct.pack("<I", 4000000) + data[16:])
+        self.render(replay=empty, says="empty, expected a replay")
+        self.render(replay=cut, says="cut short or damaged")
+        self.refused("verify", other, says="simulation version 4000000, this build plays version")
+        self.refused("verify", self.folder / "game.lua", says="not a Brittle replay")
+
+    def test_an_out_folder_that_cannot_be_written(self):
+        blocked = self.folder / "file"
+        blocked.write_text("")
+        self.refused("render", self.replay, "--out", blocked / "frames", says="--out needs a folder that can be written")
+        self.refused("smoke", self.folder / "game.lua", "--record", blocked / "a.brt", says="cannot be written")
+
+    def test_levels_and_assets_that_are_not_there(self):
+        self.refused("explain", "no_such_level", says="no_such_level")
+        self.refused("explain", "--mode", "easy", says="expected training, classic, mayhem or zen")
+        self.refused("explain", "--assets", self.folder / "none", says="none")
+        self.refused("smoke", self.folder / "none.lua", says="no such file")
+        self.refused("check", self.folder / "none", says="no such")
+
+    def test_a_window_nobody_can_see_is_refused(self):
+        for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+            os.environ.pop(name, None)
+        self.refused("play", says="no display here")
+
+    def test_playing_off_screen_records_a_game_that_verifies(self):
+        environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy")
+        with tempfile.TemporaryDirectory() as folder:
+            game = Path(folder) / "game.brt"
+            result = brittle("play", "--frames", "20", "--size", "160x90", "--record", game, env=environment)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(brittle("verify", game).returncode, 0)
+
+    def test_a_failed_expectation_is_an_answer_not_an_error(self):
+        script = self.folder / "greedy.lua"
+        script.write_text('run(10)\nexpect_broken(1000)\n')
+        result = brittle("smoke", script)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("expect_broken", result.stdout)
+
+    def test_the_recorded_game_verifies_and_a_changed_input_is_found(self):
+        result = brittle("verify", self.replay)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("150 ticks", result.stdout)
+
+    def test_a_range_renders_the_same_alone_as_in_the_whole(self):
+        whole, part = self.folder / "whole", self.folder / "part"
+        for out, frames in [(whole, "0..150"), (part, "100..150")]:
+            result = brittle("render", self.replay, "--out", out, "--size", "160x90", "--frames", frames, "--every", "50")
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(sorted(p.name for p in whole.iterdir()), [f"frame_{n:06}.png" for n in (0, 50, 100, 150)])
+        for name in ["frame_000100.png", "frame_000150.png"]:
+            self.assertEqual((whole / name).read_bytes(), (part / name).read_bytes(), name)
+
+    def test_without_gl_it_says_what_is_missing(self):
+        environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=str(self.folder / "nowhere"))
+        before = sorted(self.folder.rglob("*"))
+        result = brittle("render", self.replay, "--out", self.folder / "dark", "--size", "64x36", env=environment)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=1)

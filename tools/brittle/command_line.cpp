@@ -1,0 +1,146 @@
+// The command line: which subcommands there are, their options, help with examples. What they do is in a file each.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+
+#include "tools/brittle/options.h"
+
+namespace brittle::program {
+namespace {
+
+/// What was asked for, run after the whole line was understood.
+using Action = std::function<int()>;
+
+void addAssets(CLI::App& command, std::string& assets) {
+  command
+      .add_option("--assets", assets,
+                  "folder of levels, rooms and segments (default: the one that came with the program)")
+      ->type_name("DIR");
+}
+
+void addGame(CLI::App& command, GameOptions& game) {
+  command.add_option("LEVEL", game.level, "name of the level: levels/LEVEL.xml in the assets")->capture_default_str();
+  command.add_option("--seed", game.seed, "the same seed gives the same game")->capture_default_str()->type_name("N");
+  command.add_option("--mode", game.mode, "training, classic, mayhem or zen")->capture_default_str();
+  command.add_option("--room", game.room, "start at this room of the level, from 0")
+      ->capture_default_str()
+      ->type_name("N");
+  addAssets(command, game.assets);
+}
+
+void addPlay(CLI::App& app, Action& action) {
+  auto options = std::make_shared<PlayOptions>();
+  CLI::App* command = app.add_subcommand("play", "play a level in a window");
+  addGame(*command, options->game);
+  command->add_option("--record", options->record, "write the game as a replay")->type_name("FILE");
+  command->add_option("--frames", options->frames, "end after so many frames (default: when the window is closed)")
+      ->type_name("N");
+  command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
+  command->footer(
+      "Touch or click: throw. P: pause. R: restart. Escape: leave.\n\nExamples:\n"
+      "  brittle play\n  brittle play first --seed 7 --record game.brt");
+  command->callback([options, &action] { action = [options] { return play(*options); }; });
+}
+
+void addRender(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "render a replay to pictures, without a display");
+  command->add_option("REPLAY", options->replay, "a recorded game (.brt)")->required();
+  command->add_option("--out", options->out, "folder for frame_000600.png and so on; made if it is missing")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--size", options->size, "size of the pictures [pixels]")
+      ->capture_default_str()
+      ->type_name("WxH");
+  command->add_option("--frames", options->frames, "first and last frame, one per tick of 1/60 s (default: all)")
+      ->type_name("A..B");
+  command->add_option("--every", options->every, "only every Nth frame")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1000000u));
+  command->add_option("--backend", options->backend, "egl or osmesa")->capture_default_str();
+  command->add_option("--samples", options->samples, "multisampling: 0 or 4")
+      ->capture_default_str()
+      ->check(CLI::IsMember({0, 4}));
+  addAssets(*command, options->assets);
+  command->footer(
+      "Examples:\n  brittle render game.brt --out frames --size 1280x720 --frames 600..900\n"
+      "  brittle render game.brt --out frames --every 60 --backend osmesa");
+  command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+void addVerify(CLI::App& app, Action& action) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "verify", "replay recorded games and compare every tick's state, then again from each snapshot");
+  command->add_option("REPLAY", options->replays, "recorded games (.brt)")->required();
+  addAssets(*command, options->assets);
+  command->footer("Examples:\n  brittle verify game.brt\n  brittle verify replays/*.brt");
+  command->callback([options, &action] { action = [options] { return verify(*options); }; });
+}
+
+void addSmoke(CLI::App& app, Action& action) {
+  auto options = std::make_shared<SmokeOptions>();
+  CLI::App* command = app.add_subcommand("smoke", "play scripted games and check what they expect");
+  command->add_option("SCRIPT", options->scripts, "Lua scripts")->required();
+  command->add_option("--record", options->record, "write the game of a single script as a replay")->type_name("FILE");
+  addAssets(*command, options->assets);
+  command->footer(
+      "A script throws at ticks and says what must come of it:\n"
+      "  level(\"first\") seed(7)\n  throw{tick=120, x=0.0, y=0.1}\n  run(300)\n  expect_broken(1)\n\n"
+      "Examples:\n  brittle smoke tests/smoke/*.lua\n  brittle smoke tour.lua --record tour.brt");
+  command->callback([options, &action] { action = [options] { return smoke(*options); }; });
+}
+
+void addCheck(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "read levels, rooms and segments and name every fault as file:line");
+  command->add_option("PATH", options->paths, "files or folders")->required();
+  command->footer("Examples:\n  brittle check assets\n  brittle check my_level/segments/wall.xml");
+  command->callback([options, &action] { action = [options] { return check(*options); }; });
+}
+
+void addExplain(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command =
+      app.add_subcommand("explain", "which effects each room of a level calls for, who asked, and what they cost");
+  addGame(*command, options->game);
+  command->add_option("--rooms", options->rooms, "how many rooms to pass through")
+      ->capture_default_str()
+      ->type_name("N");
+  command->footer("Examples:\n  brittle explain first\n  brittle explain first --rooms 1");
+  command->callback([options, &action] { action = [options] { return explain(*options); }; });
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  CLI::App app("Brittle: throw balls at glass.", "brittle");
+  app.require_subcommand(1);
+  app.footer("Each command has its own --help with examples.\nExit status: 0 done, 1 the answer is no, 2 wrong input.");
+  Action action;
+  addPlay(app, action);
+  addRender(app, action);
+  addVerify(app, action);
+  addSmoke(app, action);
+  addCheck(app, action);
+  addExplain(app, action);
+  const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), isNamed))
+    return refuse({std::string("no command '") + argv[1] + "' (brittle --help)"});
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    return refuse({std::string(problem.what()) + " (brittle --help, brittle COMMAND --help)"});
+  }
+  return action();
+}
+
+}  // namespace brittle::program
+
+int main(int argc, char** argv) {
+  return brittle::program::run(argc, argv);
+}

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/core/profile.h"
+#include "game/sim/constants.h"
+#include "tools/brittle/game.h"
+
+namespace brittle::program {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Time spent in each named zone, nested ones included in their outer ones.
+class ZoneTimes : public ZoneListener {
+ public:
+  void zoneBegins(const char* name) override { open_.push_back({name, Clock::now()}); }
+  void zoneEnds(const char*) override {
+    milliseconds[open_.back().first] += millisecondsSince(open_.back().second);
+    open_.pop_back();
+  }
+  std::map<std::string, double> milliseconds;
+
+ private:
+  std::vector<std::pair<const char*, Clock::time_point>> open_;
+};
+
+struct RoomCost {
+  std::map<std::string, std::map<std::string, int>> demands;  // effect -> who -> how often
+  std::map<std::string, double> zones;                        // [ms], all ticks together
+  double milliseconds = 0.0, worst = 0.0;
+  std::size_t bytes = 0;  // largest snapshot
+  int ticks = 0;
+};
+
+void collectDemands(const effects::EffectSet& effects, RoomCost& cost) {
+  std::map<std::string, std::map<std::string, int>> now;
+  for (const effects::Demand& demand : effects.demands()) ++now[effects::nameOf(demand.effect)][demand.who];
+  for (const auto& [effect, who] : now)
+    for (const auto& [name, count] : who) cost.demands[effect][name] = std::max(cost.demands[effect][name], count);
+}
+
+/// Plays a room from end to end with a throw straight ahead every second.
+RoomCost playRoom(sim::Game& game) {
+  RoomCost cost;
+  ZoneTimes times;
+  ZoneListener* const previous = setZoneListener(&times);
+  const std::uint64_t room = game.roomNumber();
+  while (cost.ticks < sim::rules::kRoomTicks && game.roomNumber() == room && !game.isOver()) {
+    replay::InputFrame input;
+    if (cost.ticks % sim::rules::kTickRate == 0) input.throws.push_back({0, 0});
+    const Clock::time_point start = Clock::now();
+    game.tick(input);
+    const double spent = millisecondsSince(start);
+    cost.milliseconds += spent;
+    cost.worst = std::max(cost.worst, spent);
+    if (cost.ticks++ % sim::rules::kTickRate != 0) continue;
+    collectDemands(game.effects(), cost);
+    ByteWriter out;
+    game.save(out);
+    cost.bytes = std::max(cost.bytes, out.bytes().size());
+  }
+  setZoneListener(previous);
+  cost.zones = times.milliseconds;
+  return cost;
+}
+
+void print(std::uint32_t room, const RoomCost& cost) {
+  const double ticks = std::max(cost.ticks, 1);
+  std::printf("room %u: %.3f ms a tick, worst %.2f ms, over %d ticks with a throw a second; state %zu kB\n", room,
+              cost.milliseconds / ticks, cost.worst, cost.ticks, cost.bytes / 1024);
+  for (const auto& [effect, who] : cost.demands) {
+    int count = 0;
+    for (const auto& [name, times] : who) count += times;
+    std::printf("  %-10s demanded %d times by %s%s\n", effect.c_str(), count, who.begin()->first.c_str(),
+                who.size() > 1 ? (" and " + std::to_string(who.size() - 1) + " more").c_str() : "");
+  }
+  for (int i = 0; i < static_cast<int>(effects::Effect::Count); ++i)
+    if (const char* name = effects::nameOf(static_cast<effects::Effect>(i)); !cost.demands.contains(name))
+      std::printf("  %-10s nobody demands it\n", name);
+  for (const auto& [zone, milliseconds] : cost.zones)
+    std::printf("    %-20s %.4f ms a tick\n", zone.c_str(), milliseconds / ticks);
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const auto assets = openAssets(options.game.assets);
+  if (!assets) return refuse(assets.error());
+  Result<sim::GameDef> def = defOf(options.game);
+  if (!def) return refuse(def.error());
+  const std::uint32_t first = def->firstRoom;
+  for (; def->firstRoom < first + options.rooms; ++def->firstRoom) {
+    const auto simulation = openGame(**assets, *def);
+    if (!simulation && def->firstRoom > first) break;  // the level has no more rooms
+    if (!simulation) return refuse(simulation.error());
+    print(def->firstRoom, playRoom((*simulation)->game()));
+  }
+  return kDone;
+}
+
+}  // namespace brittle::program

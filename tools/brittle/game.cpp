@@ -1,0 +1,103 @@
+#include "tools/brittle/game.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "engine/core/archive.h"
+#include "engine/replay/replay_file.h"
+#include "game/sim/constants.h"
+
+namespace brittle::program {
+namespace {
+
+constexpr std::array<std::pair<const char*, sim::Mode>, 4> kModes = {{{"training", sim::Mode::Training},
+                                                                      {"classic", sim::Mode::Classic},
+                                                                      {"mayhem", sim::Mode::Mayhem},
+                                                                      {"zen", sim::Mode::Zen}}};
+
+/// What a replay stores beside level, seed and mode.
+template <class Archive>
+void serializeSettings(Archive& archive, sim::GameDef& def) {
+  archive(def.firstRoom);
+  archive(def.startOffset);
+  archive(def.accuracy);
+}
+
+std::string hex(std::uint64_t value) {
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+Result<sim::GameDef> defOf(const replay::Start& start, const std::string& name) {
+  sim::GameDef def;
+  def.level = start.level;
+  def.seed = start.seed;
+  def.mode = static_cast<sim::Mode>(start.mode);
+  ByteReader in(start.settings);
+  RestoreArchive archive(in);
+  serializeSettings(archive, def);
+  if (!in.ok() || in.remaining() != 0 || start.mode > static_cast<std::uint32_t>(sim::Mode::Coop))
+    return errorAt(name, 0, "its game settings cannot be read");
+  return def;
+}
+
+}  // namespace
+
+Result<sim::GameDef> defOf(const GameOptions& options) {
+  sim::GameDef def;
+  def.level = options.level;
+  def.seed = options.seed;
+  def.firstRoom = options.room;
+  for (const auto& [name, mode] : kModes)
+    if (options.mode == name) {
+      def.mode = mode;
+      return def;
+    }
+  return Error{"--mode " + options.mode + ": expected training, classic, mayhem or zen"};
+}
+
+Result<std::unique_ptr<GameSimulation>> openGame(const content::AssetSource& assets, const sim::GameDef& def) {
+  Result<std::unique_ptr<sim::Game>> game = sim::Game::create(assets, def);
+  if (!game) return game.error();
+  return std::make_unique<GameSimulation>(std::move(*game));
+}
+
+replay::Start startOf(const sim::Game& game) {
+  sim::GameDef def = game.def();
+  ByteWriter out;
+  SaveArchive archive(out);
+  serializeSettings(archive, def);
+  replay::Start start;
+  start.simulationVersion = sim::rules::kSimulationVersion;
+  start.contentHash = game.contentHash();
+  start.seed = def.seed;
+  start.mode = static_cast<std::uint32_t>(def.mode);
+  start.level = def.level;
+  start.settings = out.bytes();
+  return start;
+}
+
+Result<replay::Replay> loadReplay(const std::string& path) {
+  Result<replay::Replay> replay = replay::load(path, sim::rules::kSimulationVersion);
+  if (replay && replay->ticks() == 0)
+    return errorAt(path, 0, "an empty replay: it has no ticks, expected at least one");
+  return replay;
+}
+
+Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& assets, const replay::Replay& replay,
+                                                   const std::string& name) {
+  const Result<sim::GameDef> def = defOf(replay.start, name);
+  if (!def) return def.error();
+  Result<std::unique_ptr<GameSimulation>> simulation = openGame(assets, *def);
+  if (!simulation) return errorAt(name, 0, simulation.error().message);
+  const std::uint64_t here = (*simulation)->game().contentHash();
+  if (here != replay.start.contentHash)
+    return errorAt(name, 0,
+                   "recorded with other content: " + hex(replay.start.contentHash) + ", the files here are " +
+                       hex(here) + "; play it with the files it was recorded with (--assets DIR)");
+  return simulation;
+}
+
+}  // namespace brittle::program

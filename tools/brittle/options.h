@@ -1,0 +1,83 @@
+// brittle/options.h - what the subcommands are told, and reading the values that are more than a number.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace brittle::program {
+
+/// Exit statuses: done; the answer is no (a replay that differs, a smoke script or a level with faults); wrong input.
+inline constexpr int kDone = 0, kFailed = 1, kWrongInput = 2;
+
+struct Size {
+  int width = 640, height = 360;  // [pixels]
+};
+
+/// Both ends belong to it. [ticks]
+struct FrameRange {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// "1280x720"; each side in [1, 16384].
+Result<Size> parseSize(const std::string& text);
+/// "600..900", or one frame as "600".
+Result<FrameRange> parseFrames(const std::string& text);
+
+struct GameOptions {
+  std::string level = "first";
+  std::uint64_t seed = 1;
+  std::string mode = "classic";
+  std::uint32_t room = 0;
+  std::string assets;  // empty: the folder that came with the program
+};
+
+struct PlayOptions {
+  GameOptions game;
+  std::string record;        // empty: nothing is recorded
+  std::uint32_t frames = 0;  // 0: until the window is closed
+  std::string size = "1280x720";
+};
+
+struct RenderOptions {
+  std::string replay, out, assets;
+  std::string size = "640x360";
+  std::string frames;  // empty: all
+  std::uint32_t every = 1;
+  std::string backend = "egl";
+  int samples = 4;
+};
+
+struct VerifyOptions {
+  std::vector<std::string> replays;
+  std::string assets;
+};
+
+struct SmokeOptions {
+  std::vector<std::string> scripts;
+  std::string record;  // of a single script
+  std::string assets;
+};
+
+struct CheckOptions {
+  std::vector<std::string> paths;
+};
+
+struct ExplainOptions {
+  GameOptions game;
+  std::uint32_t rooms = 3;
+};
+
+int play(const PlayOptions& options);
+int render(const RenderOptions& options);
+int verify(const VerifyOptions& options);
+int smoke(const SmokeOptions& options);
+int check(const CheckOptions& options);
+int explain(const ExplainOptions& options);
+
+/// Prints "brittle: message" to standard error.
+int refuse(const Error& error);
+
+}  // namespace brittle::program

@@ -1,0 +1,61 @@
+#include "tools/brittle/picture.h"
+
+#include <utility>
+
+#include "engine/render/gl.h"
+#include "engine/render/renderer.h"
+#include "game/view/scene.h"
+
+namespace brittle::program {
+
+struct Picture::Parts {
+  render::Gl gl;
+  std::unique_ptr<render::Renderer> renderer;
+  std::unique_ptr<view::Scene> scene;
+  runtime::PictureSize size;
+  sim::FramePacket packet;  // kept for its memory
+};
+
+Picture::Picture(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Picture::~Picture() = default;
+
+Result<std::unique_ptr<Picture>> Picture::create(runtime::Platform& platform, int samples) {
+  auto parts = std::make_unique<Parts>();
+  Result<render::Gl> gl = render::loadGl(platform.glLoader());
+  if (!gl) return gl.error();
+  parts->gl = std::move(*gl);
+  parts->size = platform.size();
+  render::RendererDef def;
+  def.width = parts->size.width;
+  def.height = parts->size.height;
+  def.samples = samples;
+  def.offscreen = !platform.hasDefaultFramebuffer();
+  auto renderer = render::Renderer::create(parts->gl, def);
+  if (!renderer) return renderer.error();
+  parts->renderer = std::move(*renderer);
+  parts->scene = std::make_unique<view::Scene>(*parts->renderer);
+  return std::unique_ptr<Picture>(new Picture(std::move(parts)));
+}
+
+void Picture::ticked(sim::Game& game) {
+  game.copyFrame(parts_->packet);
+  parts_->scene->tick(parts_->packet);
+}
+
+void Picture::restarted() {
+  parts_->scene->reset();
+}
+
+void Picture::draw(sim::Game& game, float alpha, runtime::PictureSize size, bool) {
+  if (size.width < 1 || size.height < 1) return;  // a window that is minimised
+  if (!(size == parts_->size)) parts_->renderer->resize(size.width, size.height);
+  parts_->size = size;
+  const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+  parts_->renderer->draw(parts_->scene->build(alpha, aspect, {game.meshes(0), game.meshes(1)}));
+}
+
+render::Image Picture::readBack() {
+  return parts_->renderer->readBack();
+}
+
+}  // namespace brittle::program

@@ -1,0 +1,36 @@
+// brittle/picture.h - draws a game through game/view, off-screen or into a window. The one place of the program that
+// holds GL.
+#pragma once
+
+#include <memory>
+
+#include "engine/core/result.h"
+#include "engine/render/capture.h"
+#include "engine/runtime/platform.h"
+#include "game/sim/game.h"
+
+namespace brittle::program {
+
+class Picture {
+ public:
+  /// For the platform's current context. `samples`: multisampling, 0 or 4.
+  static Result<std::unique_ptr<Picture>> create(runtime::Platform& platform, int samples);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+
+  /// Tells the view what a tick brought; after every tick.
+  void ticked(sim::Game& game);
+  /// Another game follows: forgets everything about the last one.
+  void restarted();
+  /// Draws between the last two ticks: 0 the one before, 1 the last.
+  void draw(sim::Game& game, float alpha, runtime::PictureSize size, bool paused = false);
+  render::Image readBack();
+
+ private:
+  struct Parts;
+  explicit Picture(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace brittle::program

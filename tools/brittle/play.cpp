@@ -1,0 +1,103 @@
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include "engine/replay/recorder.h"
+#include "engine/replay/replay_file.h"
+#include "engine/runtime/loop.h"
+#include "platform/sdl/window.h"
+#include "tools/brittle/game.h"
+#include "tools/brittle/picture.h"
+
+namespace brittle::program {
+namespace {
+
+/// The game in a window: ticks, draws, records. A restart begins a new game and a new recording.
+class Player : public runtime::Client {
+ public:
+  Player(const content::AssetSource& assets, std::unique_ptr<GameSimulation> simulation, Picture& picture,
+         const PlayOptions& options)
+      : assets_(assets), simulation_(std::move(simulation)), picture_(picture), options_(options) {
+    begin();
+  }
+
+  void tick(const replay::InputFrame& input) override {
+    if ((input.buttons & static_cast<std::uint8_t>(replay::Button::Restart)) != 0) restart();
+    simulation_->tick(input);
+    if (recorder_) recorder_->record(input, *simulation_);
+    picture_.ticked(simulation_->game());
+  }
+  void draw(float alpha, runtime::PictureSize size, bool paused) override {
+    picture_.draw(simulation_->game(), alpha, size, paused);
+    ++frames_;
+  }
+  float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }
+  bool isDone() const override { return options_.frames != 0 && frames_ >= options_.frames; }
+
+  Status saveRecording() const {
+    return recorder_ ? replay::save(recorder_->replay(), options_.record) : Status(Done{});
+  }
+  const sim::Game& game() const { return simulation_->game(); }
+
+ private:
+  void begin() {
+    if (!options_.record.empty()) recorder_.emplace(startOf(simulation_->game()));
+    picture_.ticked(simulation_->game());
+  }
+  void restart() {
+    auto fresh = openGame(assets_, simulation_->game().def());
+    if (!fresh) return;  // the level was deleted while it was played: go on with this game
+    simulation_ = std::move(*fresh);
+    picture_.restarted();
+    begin();
+  }
+
+  const content::AssetSource& assets_;
+  std::unique_ptr<GameSimulation> simulation_;
+  Picture& picture_;
+  const PlayOptions& options_;
+  std::optional<replay::Recorder> recorder_;
+  std::uint32_t frames_ = 0;
+};
+
+/// Without one SDL would open a window that nobody can see, and play on for ever.
+bool hasDisplay() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"})
+    if (const char* value = std::getenv(name); value != nullptr && *value != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options) {
+  if (!hasDisplay())
+    return refuse(
+        {"no display here: `brittle render` draws recorded games without one, SDL_VIDEODRIVER names another way to "
+         "show a window"});
+  const Result<Size> size = parseSize(options.size);
+  if (!size) return refuse(size.error());
+  const Result<sim::GameDef> def = defOf(options.game);
+  if (!def) return refuse(def.error());
+  const auto assets = openAssets(options.game.assets);
+  if (!assets) return refuse(assets.error());
+  auto simulation = openGame(**assets, *def);
+  if (!simulation) return refuse(simulation.error());
+  platform::WindowDef window;
+  window.size = {size->width, size->height};
+  const auto opened = platform::openWindow(window);
+  if (!opened) return refuse(opened.error());
+  const auto picture = Picture::create(**opened, 4);
+  if (!picture) return refuse(picture.error());
+
+  Player player(**assets, std::move(*simulation), **picture, options);
+  runtime::Loop loop(**opened, player);
+  while (loop.frame()) {
+  }
+  const Status saved = player.saveRecording();
+  if (!saved) return refuse(saved.error());
+  std::printf("%.0f metres, %d balls left\n", static_cast<double>(player.game().hud().distance),
+              player.game().hud().balls);
+  return kDone;
+}
+
+}  // namespace brittle::program
