@@ -74,7 +74,7 @@ enum class ManifoldKind : std::uint8_t {
 struct ManifoldSettings {
   ManifoldKind kind = ManifoldKind::Clipped;
   float recycleDistance = 0.01f; // refresh instead of recompute while the pair moved less than this fraction of the smaller
-                                 // shape's inner radius [-]; 0: always recompute. Measured: 0.1 makes a stack of ten sway, 0.01 hardly
+                                 // shape's inner radius [-]; 0: always recompute. Measured: at 0.1 a stack of ten falls where it stands with 0
 };
 
 /// Brings the manifold of a pair up to date: points closer than `margin` [m] (speculative ones have positive separation),
