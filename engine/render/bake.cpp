@@ -47,6 +47,7 @@ class Baker {
     for (const BakeBox& box : boxes) {
       bounds_.push_back({box.center - box.halfExtents, box.center + box.halfExtents});
     }
+    bounds_.insert(bounds_.end(), def.beyond.begin(), def.beyond.end());
   }
 
   BakedMesh run() {

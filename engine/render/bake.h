@@ -38,6 +38,7 @@ struct BakeDef {
   FaceLight light = {};
   bool allFaces = false;   // also those a camera travelling along -Z near (0, 1) cannot see
   float occlusionReach = 4.0f;  // how far away something may be and still darken [m]
+  std::span<const Aabb> beyond = {};  // darkens as the boxes do but is not part of the mesh: what the neighbours have
 };
 
 /// Quads of at most a tile's size from each face's lowest corner, the last of a row cut short. A vertex's openness is the part of 24

@@ -1,5 +1,7 @@
 #include "game/view/look.h"
 
+#include "game/view/lamps.h"
+
 namespace brittle::view {
 namespace {
 
@@ -14,6 +16,15 @@ render::BakeBox boxOf(const sim::LookBox& from) {
     box.tileRotation[i] = from.tileRotation[i];
   }
   return box;
+}
+
+/// What reaches an end of the segment goes on in its neighbour, as far as it can darken: else walls would be lighter at
+/// every seam.
+void addContinuation(const sim::LookBox& box, float length, std::vector<Aabb>& beyond) {
+  constexpr float kReach = 4.0f, kNear = 0.05f;  // [m]
+  const Vec3 low = box.center - box.halfExtents, high = box.center + box.halfExtents;
+  if (high.z() > -kNear) beyond.push_back({Vec3(low.x(), low.y(), high.z()), high + Vec3(0.0f, 0.0f, kReach)});
+  if (low.z() < kNear - length) beyond.push_back({low - Vec3(0.0f, 0.0f, kReach), Vec3(high.x(), high.y(), low.z())});
 }
 
 }  // namespace
@@ -36,10 +47,17 @@ std::vector<render::Material> materials() {
 
 render::BakedMesh bakeSegment(const sim::SegmentLook& look) {
   std::vector<render::BakeBox> boxes;
-  for (const sim::LookBox& box : look.boxes) boxes.push_back(boxOf(box));
+  std::vector<Aabb> beyond;
+  for (const sim::LookBox& box : look.boxes) {
+    boxes.push_back(boxOf(box));
+    addContinuation(box, look.length, beyond);
+  }
   render::BakeDef def;
   def.light = {look.light[0], look.light[1], look.light[2], look.light[3], look.light[4], look.light[5]};
-  return render::bake(boxes, def);
+  def.beyond = beyond;
+  render::BakedMesh mesh = render::bake(boxes, def);
+  lightByLamps(look, mesh);
+  return mesh;
 }
 
 }  // namespace brittle::view

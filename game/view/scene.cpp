@@ -5,6 +5,7 @@
 
 #include "game/view/hud.h"
 #include "game/view/interpolate.h"
+#include "game/view/lamps.h"
 #include "game/view/look.h"
 #include "game/view/particles.h"
 #include "game/view/shadows.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr float kFogBlendTicks = 60.0f;  // from one room's fog to the next one's
 constexpr float kRopeRadius = 0.012f;    // [m]
+constexpr float kRopeAngle = 0.0022f;    // and at least this much of its distance
 constexpr float kLaserRadius = 0.05f;    // [m]
 constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
 constexpr float kCrashShake = 0.7f;      // of the most, at the moment of a crash
@@ -32,6 +34,13 @@ render::Fog mix(const render::Fog& a, const render::Fog& b, float t) {
 /// Irregular, smooth, in about [-1, 1]; `t` in ticks.
 float wobble(float t, float phase) {
   return 0.6f * std::sin(t * 0.83f + phase) + 0.4f * std::sin(t * 1.57f + 2.3f * phase);
+}
+
+/// Far ropes are drawn wider and fainter instead: thinner than a pixel they would break into dashes.
+render::Beam ropeOf(const sim::RopeView& rope, const render::Camera& camera) {
+  const float distance = (0.5f * (rope.from + rope.to) - camera.position).norm();
+  const float radius = maxOf(kRopeRadius, distance * kRopeAngle);
+  return {rope.from, rope.to, radius, render::packRgba(render::Rgb(0.75f, 0.85f, 0.90f), 0.45f * kRopeRadius / radius)};
 }
 
 }  // namespace
@@ -71,6 +80,8 @@ void Scene::placeCamera(double tick) {
 
 void Scene::addRooms(const MeshPools& pools) {
   statics_.show(seen_.rooms, frame_.statics);
+  for (const sim::RoomView& room : seen_.rooms)
+    for (const sim::PlacedSegment& segment : room.segments) addHalos(*segment.look, segment.origin, frame_.glows);
   for (std::size_t i = 0; i < seen_.rooms.size() && i < render::kMaxGroups; ++i) {
     const sim::RoomView& room = seen_.rooms[i];
     render::MeshGroup& group = frame_.groups[i];
@@ -90,12 +101,11 @@ void Scene::addRooms(const MeshPools& pools) {
 }
 
 void Scene::addThings() {
-  const std::uint32_t rope = render::packRgba(render::Rgb(0.75f, 0.85f, 0.90f), 0.35f);
   const std::uint32_t laser = render::packRgba(render::Rgb(1.0f, 0.25f, 0.20f));
   for (const sim::RoomView& room : seen_.rooms) {
     for (const sim::CrumbView& crumb : room.crumbs)
       frame_.crumbs.push_back({crumb.position, crumb.radius, crumb.color});
-    for (const sim::RopeView& line : room.ropes) frame_.beams.push_back({line.from, line.to, kRopeRadius, rope});
+    for (const sim::RopeView& line : room.ropes) frame_.beams.push_back(ropeOf(line, frame_.camera));
     for (const sim::RopeView& line : room.beams) frame_.beams.push_back({line.from, line.to, kLaserRadius, laser});
   }
   const auto material = static_cast<std::uint16_t>(sim::Look::Ball);

@@ -2,7 +2,7 @@
 
 function init()
 	mgMusic("gallery")
-	mgFogColor(0.30, 0.18, 0.16, 0.85, 0.66, 0.52)
+	mgFogColor(0.36, 0.20, 0.20, 0.98, 0.78, 0.60)
 	mgReverb(0.5, 1.0, 0.2)
 	mgParticles("dustyfalling")
 
