@@ -228,13 +228,15 @@ void ContactSolver::solve(State& state, int iterations) {
   }
 }
 
-// Every other sweep runs backwards: what travels through a stack in one direction only would tilt it.
+// Every other sweep runs backwards: what travels through a stack in one direction only would tilt it. For the same reason, and as it
+// converges far better for what loading a contact costs, the points of one are visited there and back.
 void ContactSolver::solveBatches(bool backwards) {
   for (std::uint32_t i = 0; i < batchCount_; ++i) {
     Batch& batch = batches_[backwards ? batchCount_ - 1 - i : i];
     PairVelocity<Float4> v = load(*bodies_, batch.bodyA, batch.bodyB);
     batch.rows.solveFriction(v);
     batch.rows.solveNormals(batch.points, backwards, v);
+    if (batch.points > 1) batch.rows.solveNormals(batch.points, !backwards, v);
     physics::store(*bodies_, batch.bodyA, batch.bodyB, v);
   }
 }
