@@ -62,12 +62,13 @@ float wayOf(const Body& body, float dt) {
   return body.awake ? (body.velocity.norm() + body.angularVelocity.norm() * body.radius) * dt : 0.0f;
 }
 
-/// Closing speed at each point before the solver: what restitution gives back.
+/// Closing speed at each point before the solver first stopped it: what restitution gives back. Within a tick it only grows.
 void rememberApproach(const Body& a, const Body& b, Contact& contact) {
   for (int i = 0; i < contact.manifold.count; ++i) {
     const ManifoldPoint& point = contact.manifold.points[i];
     const Vec3 at = 0.5f * (a.pose.toWorld(point.localA) + b.pose.toWorld(point.localB));
-    contact.approach[i] = -contact.manifold.normal.dot(b.velocityAt(at) - a.velocityAt(at));
+    const float speed = -contact.manifold.normal.dot(b.velocityAt(at) - a.velocityAt(at));
+    contact.approach[i] = maxOf(contact.approach[i], speed);
   }
 }
 
@@ -129,6 +130,7 @@ void detectCollisions(State& state, float dt) {
     contact.reached = false;
     contact.passable = false;
     contact.waits = false;
+    for (float& speed : contact.approach) speed = 0.0f;
     contact.strike = kNoStrike;
     contact.manifold.seeded = false;
     const bool awake = state.bodyOf(state.shapes[contact.a]).awake || state.bodyOf(state.shapes[contact.b]).awake;

@@ -318,15 +318,19 @@ void ContactSolver::store(State& state) const {
   state.jointSolver.store(state);
 }
 
-// One row at a time on a copy of the velocities: rebounds are few.
+// One row at a time: rebounds are few. Bodies have moved since the solve, so their centres are read anew.
 void ContactSolver::applyRestitution(State& state) {
   constexpr float kSlowest = 0.5f;  // [m/s] below, things come to rest; chosen by eye
+  bool any = false;
   state.contacts.forEach([&](ContactHandle, Contact& contact) {
     if (contact.restitution == 0.0f || contact.manifold.count == 0) return;
     if (contact.strike != kNoStrike && state.strikes.list[contact.strike].saturated) return;
     const std::uint32_t a = state.shapes[contact.a].body.index;
     const std::uint32_t b = state.shapes[contact.b].body.index;
     if ((*bodies_)[a].invMass == 0.0f && (*bodies_)[b].invMass == 0.0f) return;
+    any = true;
+    (*bodies_)[a].center = state.bodies.at(a).center;
+    (*bodies_)[b].center = state.bodies.at(b).center;
     ContactRows<float> rows;
     fillLane(state, contact, GapRule::Touching, 1.0f, 0, rows);
     PairVelocity<float> v = load(*bodies_, a, b);
@@ -338,6 +342,7 @@ void ContactSolver::applyRestitution(State& state) {
     }
     physics::store(*bodies_, a, b, v);
   });
+  if (any) storeBodies(state);
 }
 
 }  // namespace brittle::physics

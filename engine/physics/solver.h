@@ -33,7 +33,8 @@ class ContactSolver {
   void solve(State& state, int iterations);
   /// Puts the accumulated impulses back into the manifolds and the strikes.
   void store(State& state) const;
-  /// Rebound of contacts that carried an impulse and are not saturated. Source: Box2D v3's relax-then-restitute order.
+  /// Rebound of contacts that carried an impulse and are not saturated. After the bodies have moved: until then a speculative
+  /// contact has not closed its gap, and the body would rebound in the air. Source: Box2D v3's relax-then-restitute order.
   void applyRestitution(State& state);
 
  private:

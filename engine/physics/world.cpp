@@ -57,10 +57,9 @@ void step(State& state, float dt) {
   detectCollisions(state, dt);
   solveAndBreak(state, dt);
   holdSaturated(state, dt);
-  state.contactSolver.applyRestitution(state);
-  state.contactSolver.storeBodies(state);
   chargeStrikes(state, dt);
   integratePositions(state, dt);
+  state.contactSolver.applyRestitution(state);
   correctPositions(state);
   fractureAfterStep(state);
   finishContacts(state);
