@@ -1,6 +1,7 @@
 #include "engine/physics/breakage.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/core/profile.h"
 #include "engine/physics/collide.h"
@@ -160,6 +161,13 @@ void seedContacts(State& state, const Fracture& result, const Swap& swap) {
   }
 }
 
+/// Impacts on one body are taken by place, whoever was made first.
+bool isBefore(const fracture::Impact& a, const fracture::Impact& b) {
+  const float keyA[] = {a.point.x(), a.point.y(), a.point.z(), a.direction.x(), a.direction.y(), a.direction.z(), a.speed};
+  const float keyB[] = {b.point.x(), b.point.y(), b.point.z(), b.direction.x(), b.direction.y(), b.direction.z(), b.speed};
+  return std::lexicographical_compare(std::begin(keyA), std::end(keyA), std::begin(keyB), std::end(keyB));
+}
+
 void scatterCrumbs(State& state, const Body& old, std::uint32_t color, const Fracture& result) {
   for (const fracture::Crumb& crumb : result.crumbs) {
     const Vec3 position = old.pose.toWorld(crumb.center);
@@ -238,6 +246,7 @@ void fractureSaturated(State& state) {
     }
     first = end;
     if (hardest == nullptr) continue;
+    std::stable_sort(impacts.begin(), impacts.end(), isBefore);
     const Body& struck = state.bodies[hardest->struck];
     BreakEvent event{hardest->struck, hardest->striker, struck.assembly, struck.userData, hardest->point,
                      normalizedOr(hardest->relativeVelocity, Vec3::UnitY()), hardest->approachSpeed, hardest->capacity, 0};
@@ -276,6 +285,7 @@ void breakHeld(State& state) {
       if (state.bodies.contains(other.striker))
         charge(state, other.striker, other.struck, state.bodies[first.struck].breaking.strength);
     }
+    std::stable_sort(impacts.begin(), impacts.end(), isBefore);
     const Body& struck = state.bodies[first.struck];
     BreakEvent event{first.struck, first.striker, struck.assembly, struck.userData, struck.pose.toWorld(first.impact.point),
                      struck.pose.rotate(first.impact.direction), first.impact.speed, first.impulse, 0};
