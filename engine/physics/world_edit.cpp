@@ -130,7 +130,17 @@ void World::setPose(BodyHandle handle, const Transform& pose) {
 
 void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
   BR_ASSERT(isFinite(breakable.strength) && breakable.strength >= 0.0f);
-  Body& body = state_->bodies[handle];
+  State& state = *state_;
+  Body& body = state.bodies[handle];
+  if (body.breaking.strength != breakable.strength) {
+    // Who has spent a part of the old strength has spent the same part of the new one, or a load that rests on a body that is made
+    // weaker would have paid already and pass; and what sleeps on it must find out.
+    const float ratio = body.breaking.strength > 0.0f ? breakable.strength / body.breaking.strength : 0.0f;
+    for (Budget& budget : state.budgets)
+      if (budget.struck == handle) budget.spent *= ratio;
+    wakeBody(state, handle);
+    forEachShape(state, body, [&](ShapeHandle shape, const Shape&) { wakeTouching(state, shape); });
+  }
   body.breaking = breakable;
   body.breakable = breakable.strength > 0.0f;
 }
