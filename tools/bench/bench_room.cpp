@@ -1,0 +1,53 @@
+// What the shipped room costs: `bench --benchmark_filter=room`. A player throws at what is ahead twice a second; every tick is timed.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "game/content/asset_source.h"
+#include "game/sim/constants.h"
+#include "game/sim/game.h"
+
+namespace {
+
+using namespace brittle;
+
+double cpuMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+void playRoom(benchmark::State& state) {
+  const content::FolderSource assets({BRITTLE_SOURCE_DIR "/assets"});
+  std::vector<double> ticks;
+  std::uint64_t hash = 0;
+  for (auto iteration : state) {
+    sim::GameDef def;
+    def.mode = sim::Mode::Zen;  // balls do not run out
+    Result<std::unique_ptr<sim::Game>> game = sim::Game::create(assets, def);
+    if (!game) {
+      state.SkipWithError(game.error().message.c_str());
+      return;
+    }
+    for (std::uint32_t tick = 0; tick < sim::rules::kRoomTicks; ++tick) {
+      replay::InputFrame input;
+      if (tick % 30 == 15) input.throws.push_back(replay::quantizeAim(0.1f * static_cast<float>(tick / 30 % 5) - 0.2f, 0.02f));
+      const double start = cpuMilliseconds();
+      (*game)->tick(input);
+      ticks.push_back(cpuMilliseconds() - start);
+    }
+    hash = (*game)->stateHash();
+  }
+  std::sort(ticks.begin(), ticks.end());
+  state.counters["median_ms"] = ticks[ticks.size() / 2];
+  state.counters["p99_ms"] = ticks[ticks.size() * 99 / 100];
+  state.counters["heaviest_ms"] = ticks.back();
+  char text[32];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  state.SetLabel(text);
+}
+BENCHMARK(playRoom)->Name("room/first")->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace
