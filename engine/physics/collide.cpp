@@ -58,8 +58,13 @@ const Aabb& currentBox(const State& state, const Shape& shape, std::uint32_t slo
   return state.bodyOf(shape).awake ? state.shapeBoxes[slot] : state.tree.box(shape.proxy);
 }
 
-float wayOf(const Body& body, float dt) {
-  return body.awake ? (body.velocity.norm() + body.angularVelocity.norm() * body.radius) * dt : 0.0f;
+/// How far the two may come closer within the tick. [m]
+float closingWay(const Body& a, const Body& b, float dt) {
+  const Vec3 velocityA = a.awake ? a.velocity : Vec3(Vec3::Zero());
+  const Vec3 velocityB = b.awake ? b.velocity : Vec3(Vec3::Zero());
+  const float turnA = a.awake ? a.angularVelocity.norm() * a.radius : 0.0f;
+  const float turnB = b.awake ? b.angularVelocity.norm() * b.radius : 0.0f;
+  return ((velocityA - velocityB).norm() + turnA + turnB) * dt;
 }
 
 /// Closing speed at each point before the solver first stopped it: what restitution gives back. Within a tick it only grows.
@@ -72,13 +77,21 @@ void rememberApproach(const Body& a, const Body& b, Contact& contact) {
   }
 }
 
+/// No point is near or closes its gap within the tick: a row for it would never push.
+bool isOutOfReach(const Contact& contact, float near, float dt) {
+  for (int i = 0; i < contact.manifold.count; ++i)
+    if (contact.manifold.points[i].separation <= near + maxOf(contact.approach[i], 0.0f) * dt) return false;
+  return true;
+}
+
 void updateContact(State& state, Contact& contact, float dt) {
   const Shape& a = state.shapes[contact.a];
   const Shape& b = state.shapes[contact.b];
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
   const float size = minOf(a.innerRadius, b.innerRadius);
-  const float margin = minOf(state.accuracy.speculativeMargin, size) + wayOf(bodyA, dt) + wayOf(bodyB, dt);
+  const float near = minOf(state.accuracy.speculativeMargin, size);
+  const float margin = near + closingWay(bodyA, bodyB, dt);
   if (!currentBox(state, a, contact.a.index).grownBy(margin).overlaps(currentBox(state, b, contact.b.index))) {
     contact.manifold.count = 0;
     contact.manifold.computed = false;
@@ -87,6 +100,10 @@ void updateContact(State& state, Contact& contact, float dt) {
   updateManifold(proxyOf(a, state.meshes), bodyA.pose, a.innerRadius, proxyOf(b, state.meshes), bodyB.pose, b.innerRadius,
                  margin, state.accuracy.manifold, contact.manifold);
   rememberApproach(bodyA, bodyB, contact);
+  if (isOutOfReach(contact, near, dt)) {
+    contact.manifold.count = 0;
+    contact.manifold.computed = false;
+  }
 }
 
 /// Still near enough to stay a pair?

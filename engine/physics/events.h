@@ -39,6 +39,7 @@ struct Events {
 struct Counters {
   std::uint32_t bodies = 0, awakeBodies = 0, shapes = 0, contacts = 0, points = 0, pairsTested = 0;
   std::uint32_t rounds = 0;                // fracture rounds
+  std::uint32_t passes = 0;                // times the solver ran
   std::uint32_t breaks = 0, pieces = 0, crumbs = 0;
   std::uint32_t held = 0;                  // strikers held at a body that breaks next tick
   std::uint32_t swept = 0;                 // fast bodies swept

@@ -38,6 +38,7 @@ void solveAndBreak(State& state, float dt) {
     state.contactSolver.loadBodies(state);
     limitImpulses(state, dt);
     solve(state, dt, pass == 0);
+    ++state.counters.passes;
     if (findSaturated(state) && round < maxRounds(state.accuracy)) {
       fractureSaturated(state);
       detectCollisionsOf(state, state.touchedBodies, dt);

@@ -78,7 +78,7 @@ void breakFrame(benchmark::State& state) {
   state.counters["pieces"] = pieces;
   label(state, world);
 }
-BENCHMARK(breakFrame)->Name("physics/pane_break_frame")->ArgName("density_x10")->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK(breakFrame)->Name("physics/pane_break_frame")->ArgName("density_x10")->Arg(10)->Arg(40)->Arg(300)->Unit(benchmark::kMillisecond);
 
 /// Three seconds after the hit: mean tick.
 void afterBreak(benchmark::State& state) {
