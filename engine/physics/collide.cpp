@@ -8,6 +8,8 @@ namespace brittle::physics {
 namespace {
 
 constexpr float kFatMargin = 0.05f;  // boxes in the tree are larger by this [m], so that most bodies do not touch it
+constexpr float kSameNormal = 0.98f;  // cosine: 11 degrees [-]
+constexpr float kMaxTurn = 0.2f;       // and as much within the tick [rad]
 constexpr float kFatRatio = 0.125f;  // or by this part of the shape's extent, if that is less [-]
 
 /// The box over the body's way of the tick.
@@ -106,6 +108,19 @@ void updateContact(State& state, Contact& contact, float dt) {
   }
 }
 
+/// Last tick's impulses start this tick's solve only where the pair stands about as it stood: between a heavy striker and a shard that
+/// spins, they would throw the shard faster than the iterations can catch it.
+void forgetIfTurned(const State& state, const Vec3& normalBefore, float dt, Contact& contact) {
+  Manifold& manifold = contact.manifold;
+  const Body& a = state.bodyOf(state.shapes[contact.a]);
+  const Body& b = state.bodyOf(state.shapes[contact.b]);
+  const float turn = (a.angularVelocity - b.angularVelocity).norm() * dt;
+  if (turn < kMaxTurn && manifold.normal.dot(normalBefore) > kSameNormal) return;
+  for (ManifoldPoint& point : manifold.points) point.normalImpulse = 0.0f;
+  manifold.frictionImpulse.setZero();
+  manifold.twistImpulse = 0.0f;
+}
+
 /// Still near enough to stay a pair?
 bool isNear(const State& state, const Contact& contact) {
   return state.tree.box(state.shapes[contact.a].proxy).overlaps(state.tree.box(state.shapes[contact.b].proxy));
@@ -151,7 +166,10 @@ void detectCollisions(State& state, float dt) {
     contact.strike = kNoStrike;
     contact.manifold.seeded = false;
     const bool awake = state.bodyOf(state.shapes[contact.a]).awake || state.bodyOf(state.shapes[contact.b]).awake;
-    if (awake) updateContactAt(state, state.contacts.handleAt(slot), dt);
+    if (!awake) continue;
+    const Vec3 normal = contact.manifold.normal;
+    updateContactAt(state, state.contacts.handleAt(slot), dt);
+    if (state.contacts.isAlive(slot)) forgetIfTurned(state, normal, dt, contact);
   }
 }
 
