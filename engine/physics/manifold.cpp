@@ -18,9 +18,10 @@ using geometry::Separation;
 // like faces; the exact one only forgives rounding.
 constexpr float kFacing = 0.98f;
 constexpr float kExactlyFacing = 0.99999f;
-constexpr float kPreferA = 1e-5f;         // of two equally good faces A's is the reference, so that the normal does not flip
+constexpr float kPreferA = 1e-6f;         // of two equally good faces A's is the reference, so that the normal does not flip
 constexpr float kNear = 0.25f;            // of the size: closer than this counts as touching [-]
 constexpr float kDepthBand = 0.02f;       // of the size: depths within it are equal [-]
+constexpr float kBesideFace = 0.5f;       // of the size: corners that are this near the deepest point count beside the face's [-]
 constexpr float kMergeRadius = 0.2f;      // of the size: a new point this near an old one replaces it (incremental) [-]
 constexpr float kMaxDrift = 0.25f;        // of the size: sideways drift after which a point is dropped (incremental) [-]
 constexpr float kTooDeep = 0.1f;          // of the size: overlaps deeper than this get all points at once (incremental) [-]
@@ -28,6 +29,7 @@ constexpr float kMaxTurn = 0.035f;        // two degrees: recompute after that [
 
 struct Scratch {
   std::vector<Vec3> reference, polygon, clip;
+  std::vector<Plane> sides;  // of the reference face
   std::vector<Candidate> candidates;
 };
 
@@ -92,21 +94,46 @@ void cornersOf(const geometry::ConvexView& convex, std::uint32_t face, const Rel
   } while (edge != first);
 }
 
+void addCandidate(const Vec3& corner, const Vec3& normal, float separation, float sign, Scratch& s) {
+  const Vec3 foot = corner - separation * normal;
+  if (sign > 0.0f) s.candidates.push_back({foot, corner, separation});
+  else s.candidates.push_back({corner, foot, separation});
+}
+
 /// Clips the incident face by the sides of the reference face. Points are relative to `origin`; `normal` points out of the
 /// reference face, `sign` is 1 if that face is A's.
 void clipFaces(const Vec3& normal, float sign, const View& view, Scratch& s) {
-  for (std::size_t i = 0; i < s.reference.size() && !s.polygon.empty(); ++i) {
+  s.sides.clear();
+  for (std::size_t i = 0; i < s.reference.size(); ++i) {
     const Vec3& start = s.reference[i];
     const Vec3 outward = (s.reference[(i + 1) % s.reference.size()] - start).cross(normal);
     const float length = outward.norm();
-    if (length > 1e-20f) geometry::clipPolygon(planeThrough(start, outward / length), s.clip, s.polygon);
+    if (length > 1e-20f) s.sides.push_back(planeThrough(start, outward / length));
   }
+  for (const Plane& side : s.sides) geometry::clipPolygon(side, s.clip, s.polygon);
   for (const Vec3& corner : s.polygon) {
     const float separation = normal.dot(corner - s.reference[0]);
-    if (separation > view.margin) continue;
-    const Vec3 foot = corner - separation * normal;
-    if (sign > 0.0f) s.candidates.push_back({foot, corner, separation});
-    else s.candidates.push_back({corner, foot, separation});
+    if (separation <= view.margin) addCandidate(corner, normal, separation, sign, s);
+  }
+}
+
+/// Corners beside the incident face that are about as deep as it: a shard whose underside is folded would else rock from facet to
+/// facet, each with its own three points.
+void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& pose, const Vec3d& origin, const Vec3& normal,
+                      float sign, const View& view, Scratch& s) {
+  float deepest = view.margin;
+  for (const Candidate& candidate : s.candidates) deepest = minOf(deepest, candidate.separation);
+  const float limit = minOf(view.margin, deepest + kBesideFace * view.size);
+  const std::size_t known = s.candidates.size();
+  for (const geometry::Vertex& vertex : incident.vertices) {
+    const Vec3 corner = (pose.apply(vertex.point) - origin).cast<float>();
+    const float separation = normal.dot(corner - s.reference[0]);
+    if (separation > limit) continue;
+    bool counts = true;
+    for (const Plane& side : s.sides) counts = counts && side.distance(corner) <= 0.0f;
+    for (std::size_t i = 0; i < known && counts; ++i)
+      counts = (sign > 0.0f ? s.candidates[i].onB : s.candidates[i].onA) != corner;
+    if (counts) addCandidate(corner, normal, separation, sign, s);
   }
 }
 
@@ -128,7 +155,10 @@ Reference facePoints(const View& view, const Separation& closest, const Vec3& cl
   cornersOf(view.b.convex, faceB, view.pose, origin, ofB ? s.reference : s.polygon);
   const Vec3 outward = ofB ? Vec3(view.pose.rotate(view.b.convex.faces[faceB].plane.normal).cast<float>())
                            : view.a.convex.faces[faceA].plane.normal;
-  clipFaces(outward, ofB ? -1.0f : 1.0f, view, s);
+  const float sign = ofB ? -1.0f : 1.0f;
+  clipFaces(outward, sign, view, s);
+  if (ofB) addCornersBeside(view.a.convex, own, origin, outward, sign, view, s);
+  else addCornersBeside(view.b.convex, view.pose, origin, outward, sign, view, s);
   normal = ofB ? Vec3(-outward) : outward;
   return ofB ? Reference::OfB : Reference::OfA;
 }

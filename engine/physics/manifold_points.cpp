@@ -20,41 +20,35 @@ int firstPoint(const Vec3& normal, float band, const std::vector<Candidate>& can
   return best;
 }
 
+/// The candidate farthest from its nearest kept one, of those up to `limit`; -1 if all are within `band` of a kept one.
+int farthestFrom(const Candidate* kept, int keptCount, float limit, float band, const std::vector<Candidate>& candidates) {
+  int best = -1;
+  float farthest = band * band;
+  for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
+    if (candidates[i].separation > limit) continue;
+    float nearest = 3.0e38f;
+    for (int k = 0; k < keptCount; ++k) nearest = minOf(nearest, (candidates[i].onA - kept[k].onA).squaredNorm());
+    if (nearest <= farthest) continue;
+    farthest = nearest;
+    best = i;
+  }
+  return best;
+}
+
 }  // namespace
 
 void reducePoints(const Vec3& normal, float band, std::vector<Candidate>& candidates) {
   if (candidates.size() <= kMaxPoints) return;
-  const int count = static_cast<int>(candidates.size());
-  int chosen[4] = {firstPoint(normal, band, candidates), -1, -1, -1};
-  const Vec3 first = candidates[chosen[0]].onA;
-  float farthest = 0.0f;
-  for (int i = 0; i < count; ++i) {
-    const float squared = (candidates[i].onA - first).squaredNorm();
-    if (squared > farthest) {
-      farthest = squared;
-      chosen[1] = i;
-    }
+  Candidate kept[kMaxPoints] = {candidates[firstPoint(normal, band, candidates)]};
+  int count = 1;
+  const float touching = maxOf(kept[0].separation, 0.0f) + band;
+  for (; count < kMaxPoints; ++count) {
+    int next = farthestFrom(kept, count, touching, band, candidates);
+    if (next < 0) next = farthestFrom(kept, count, 3.0e38f, band, candidates);
+    if (next < 0) break;
+    kept[count] = candidates[next];
   }
-  float left = 0.0f, right = 0.0f;
-  if (chosen[1] >= 0) {
-    const Vec3 side = normal.cross(candidates[chosen[1]].onA - first);
-    for (int i = 0; i < count; ++i) {
-      const float value = side.dot(candidates[i].onA - first);
-      if (value > left) {
-        left = value;
-        chosen[2] = i;
-      }
-      if (value < right) {
-        right = value;
-        chosen[3] = i;
-      }
-    }
-  }
-  Candidate kept[4];
-  int keptCount = 0;
-  for (const int index : chosen)
-    if (index >= 0) kept[keptCount++] = candidates[index];
-  candidates.assign(kept, kept + keptCount);
+  candidates.assign(kept, kept + count);
 }
 
 void keepImpulses(const ManifoldPoint* old, int oldCount, float radius, Manifold& fresh) {

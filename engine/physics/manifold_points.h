@@ -14,8 +14,8 @@ struct Candidate {
   float normalImpulse = 0.0f;
 };
 
-/// Keeps at most four: one of the deepest (within `band` [m] of the very deepest, so that rounding does not choose), the one
-/// farthest from it, and the two that add most area, one on each side.
+/// Keeps at most four: one of the deepest (within `band` [m] of the very deepest, so that rounding does not choose), then each time
+/// the one farthest from those kept. Points that touch (to within the band) go before points that only may.
 void reducePoints(const Vec3& normal, float band, std::vector<Candidate>& candidates);
 
 /// Gives the points of `fresh` the impulses of the nearest old ones. A point may slide along one of the two shapes, so the

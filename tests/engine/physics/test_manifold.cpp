@@ -85,6 +85,22 @@ TEST(Manifold, TiltedBoxTouchesWithItsEdge) {
   }
 }
 
+TEST(Manifold, AFoldedUndersideIsHeldByAllItsCorners) {
+  // The corners of the underside are not in one plane: two triangles, of which only one can be the incident face.
+  const Convex floor = box(2.0f, 0.5f, 2.0f);
+  const std::vector<Vec3> points = {Vec3(-0.1f, 0.0f, -0.1f),  Vec3(0.1f, 0.0005f, -0.1f), Vec3(0.1f, 0.0f, 0.1f),
+                                    Vec3(-0.1f, 0.0005f, 0.1f), Vec3(0.01f, 0.02f, 0.0f)};
+  const auto shard = geometry::makeHull(points);
+  ASSERT_TRUE(static_cast<bool>(shard));
+  for (const bool swapped : {false, true}) {
+    Manifold m;
+    const Transform above = at(0.0f, 0.4999f, 0.0f);
+    if (swapped) updateManifold(proxy(shard.value()), above, 0.01f, proxy(floor), Transform{}, 0.5f, 0.005f, kClipped, m);
+    else updateManifold(proxy(floor), Transform{}, 0.5f, proxy(shard.value()), above, 0.01f, 0.005f, kClipped, m);
+    EXPECT_EQ(m.count, 4);
+  }
+}
+
 TEST(Manifold, NearlyParallelFacesAtADistanceGiveFourPoints) {
   const Convex floor = box(2.0f, 0.5f, 2.0f), cube = box(0.5f, 0.5f, 0.5f);
   const Transform pose{Vec3(0.0f, 1.5f, 0.0f), rotationAbout(Vec3(0.6f, 0.0f, 0.8f), 0.01f)};
