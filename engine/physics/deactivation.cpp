@@ -11,6 +11,9 @@ constexpr std::uint32_t kRestTicks = 30;  // half a second at 60 Hz
 
 float surfaceSpeed(const Body& body) { return body.velocity.norm() + body.angularVelocity.norm() * body.radius; }
 
+/// Whether a body moves enough to wake what it touches. A lift slower than rest still carries its load off.
+bool isMoving(const Body& body) { return surfaceSpeed(body) > (body.isDynamic() ? kRestSpeed : 0.0f); }
+
 bool isSupported(const State& state, const Body& body) {
   if (state.gravity.isZero() || body.gravityScale == 0.0f) return true;
   bool supported = false;
@@ -44,7 +47,7 @@ void wakeTouchedByMotion(State& state) {
     if (a.awake == b.awake) return;
     const Body& mover = a.awake ? a : b;
     Body& sleeper = a.awake ? b : a;
-    if (!sleeper.isDynamic() || surfaceSpeed(mover) < kRestSpeed) return;
+    if (!sleeper.isDynamic() || !isMoving(mover)) return;
     sleeper.awake = true;
     sleeper.restTicks = 0;
   });
@@ -57,7 +60,7 @@ void wakeTouchedByMotion(State& state) {
     if (a.awake == b.awake) return;
     const Body& mover = a.awake ? a : b;
     Body& sleeper = a.awake ? b : a;
-    if (!sleeper.isDynamic() || surfaceSpeed(mover) < kRestSpeed) return;
+    if (!sleeper.isDynamic() || !isMoving(mover)) return;
     sleeper.awake = true;
     sleeper.restTicks = 0;
   });

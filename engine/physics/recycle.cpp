@@ -32,6 +32,13 @@ void reportHit(State& state, const Contact& contact) {
   state.events.hits.push_back(hit);
 }
 
+/// What rested on something that slipped away, however slowly, would float.
+void wakeAfterLoss(Body& body) {
+  if (!body.isDynamic() || body.awake) return;
+  body.awake = true;
+  body.restTicks = 0;
+}
+
 bool isPiece(const Body& body) { return body.isDynamic() && bool(body.striker); }
 
 }  // namespace
@@ -43,6 +50,10 @@ void finishContacts(State& state) {
     if (!state.bodyOf(a).awake && !state.bodyOf(b).awake) return;
     const bool touching = isTouching(contact, contactSlop(a, b));
     if (touching && !contact.touching && !contact.fromCut) reportHit(state, contact);
+    if (!touching && contact.touching) {
+      wakeAfterLoss(state.bodyOf(a));
+      wakeAfterLoss(state.bodyOf(b));
+    }
     contact.touching = touching;
   });
 }
