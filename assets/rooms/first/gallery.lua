@@ -2,7 +2,7 @@
 
 function init()
 	mgMusic("gallery")
-	mgFogColor(0.36, 0.20, 0.20, 0.98, 0.78, 0.60)
+	mgFogColor(0.30, 0.20, 0.32, 1.0, 0.80, 0.64)
 	mgReverb(0.5, 1.0, 0.2)
 	mgParticles("dustyfalling")
 
