@@ -2,7 +2,6 @@
 // J (1 + 1e-6) breaks the pane. Over 1000 speeds there is one crossing only.
 #include <gtest/gtest.h>
 
-#include "engine/core/random.h"
 #include "tests/engine/physics/scene.h"
 
 namespace brittle::physics {
