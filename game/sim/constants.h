@@ -22,7 +22,7 @@ inline constexpr float kNear = 0.2f;                    // [m], format
 inline constexpr float kFar = 100.0f;                   // [m], format
 inline constexpr float kFogNear = 5.0f;                 // fog begins at this depth [m], format
 inline constexpr float kFogFull = 25.0f;                // and is full here [m], format
-inline constexpr float kCameraRadius = 0.3f;            // what must fit through a hole [m]; above 0.6 no single throw opens a way
+inline constexpr float kCameraRadius = 0.25f;           // what must fit through a hole [m]; above 0.6 no single throw opens a way
 inline constexpr int kPaceShift = 200;                  // room length glides by 1/200 of the difference per tick, format
 
 // Track.
@@ -55,6 +55,7 @@ inline constexpr int kStreakPerBall = 10;               // streak for one more b
 inline constexpr int kCrashCost = 10;                   // balls, format
 inline constexpr int kCrashPause = 45;                  // ticks without another crash
 inline constexpr float kCrashPieceMass = 6.0f;          // loose pieces below this are pushed aside by the camera [kg]
+inline constexpr float kCrashRimMass = 0.5f;            // and so are slivers at the rim of a hole below this [kg]: 11 cm of a pane of 4 cm
 inline constexpr float kCrashSpeed = 12.0f;             // breaking by the camera is a hit of this speed [m/s]
 inline constexpr int kLastBallTicks = 120;              // grace for the last ball to win others [ticks]
 inline constexpr int kClearedNotes = 12;                // sounds of a cleared obstacle, format
@@ -64,11 +65,11 @@ inline constexpr int kPainTicks = 40;                   // the red border fades 
 // weigh 80 kg and hold 150 N s a tick: ten times their weight is 131 N s; a ball brings 1430 N s at the slowest throw.
 inline constexpr float kDensityUnit = 250.0f;           // [kg/m3] per 1 of the format
 inline constexpr float kForceUnit = 1500.0f;            // [N s] per 1 of the format
-inline constexpr float kCarveRadius = 0.42f;            // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
-inline constexpr float kBlockCracks = 1.0f;             // cracks in blocks, relative to the material's default [-]
-inline constexpr float kSmallestPiece = 3e-5f;          // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
+inline constexpr float kCarveRadius = 0.55f;            // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
+inline constexpr float kBlockCracks = 0.5f;             // cracks in blocks, relative to the material's default [-]
+inline constexpr float kSmallestPiece = 1e-4f;          // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
 inline constexpr float kWeightsHeld = 4.0f;             // a body holds at least so many of its own weight [-]; below 1 it bursts as it stands
-inline constexpr float kSmallestShare = 1.0f / 2000.0f; // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
+inline constexpr float kSmallestShare = 1.0f / 1000.0f; // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
 inline constexpr float kGravity = 9.81f;                // [m/s2] at the format's gravity 1
 
 // Collision categories (bits), the format's.

@@ -26,7 +26,9 @@ bool Room::blocks(physics::ShapeHandle handle) const {
   const physics::Shape& shape = world_->shape(handle);
   const physics::Body& body = world_->body(shape.body);
   if ((body.userData & kBallBit) != 0 || shape.surface.mask == 0) return false;
-  return !(body.isDynamic() && shape.isPiece && body.mass < rules::kCrashPieceMass);
+  if (!shape.isPiece) return true;
+  if (body.isDynamic()) return body.mass >= rules::kCrashPieceMass;
+  return shape.massProperties.volume * shape.surface.density >= rules::kCrashRimMass;
 }
 
 bool Room::canPass(const Obstacle& obstacle) const {
