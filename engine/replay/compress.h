@@ -10,8 +10,8 @@ namespace brittle::replay {
 
 std::vector<unsigned char> compress(std::span<const unsigned char> bytes);
 
-/// The `size` bytes that were compressed, or nothing if the block is damaged or holds another number of bytes. Takes no more memory
-/// than a block of that length can hold, whatever `size` claims.
+/// The `size` bytes that were compressed, or nothing if the block is damaged or holds another number of bytes. Takes no
+/// more memory than a block of that length can hold, whatever `size` claims.
 std::optional<std::vector<unsigned char>> decompress(std::span<const unsigned char> block, std::uint64_t size);
 
 }  // namespace brittle::replay

@@ -13,6 +13,8 @@ std::int16_t quantize(float tangent) {
 
 }  // namespace
 
-Throw quantizeAim(float tangentX, float tangentY) { return {quantize(tangentX), quantize(tangentY)}; }
+Throw quantizeAim(float tangentX, float tangentY) {
+  return {quantize(tangentX), quantize(tangentY)};
+}
 
 }  // namespace brittle::replay

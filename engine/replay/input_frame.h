@@ -1,5 +1,6 @@
-// replay/input_frame.h - everything the player does in one tick. The only way input reaches the simulation, so recording it records
-// the game. Aim is quantised in the view's tangent plane: the picture's size and aspect never matter.
+// replay/input_frame.h - everything the player does in one tick. The only way input reaches the simulation, so
+// recording it records the game. Aim is quantised in the view's tangent plane: the picture's size and aspect never
+// matter.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ struct Throw {
 enum class Button : std::uint8_t { None = 0, Restart = 1, Pause = 2 };
 
 struct InputFrame {
-  std::vector<Throw> throws;            // in the order they were made; at most kMaxThrows
-  std::uint8_t buttons = 0;             // bits of Button
+  std::vector<Throw> throws;  // in the order they were made; at most kMaxThrows
+  std::uint8_t buttons = 0;   // bits of Button
   friend bool operator==(const InputFrame&, const InputFrame&) = default;
 };
 

@@ -22,10 +22,12 @@ bool Player::step() {
 
 Status Player::seek(std::uint32_t target) {
   if (target > replay_.ticks())
-    return Error{"tick " + std::to_string(target) + " is beyond the replay's " + std::to_string(replay_.ticks()) + " ticks"};
+    return Error{"tick " + std::to_string(target) + " is beyond the replay's " + std::to_string(replay_.ticks()) +
+                 " ticks"};
   const Snapshot* snapshot = replay_.snapshotBefore(target);
   if (snapshot != nullptr && (snapshot->tick > tick_ || target < tick_)) {
-    if (!restoreFrom(*snapshot, simulation_)) return Error{"the snapshot of tick " + std::to_string(snapshot->tick) + " cannot be restored"};
+    if (!restoreFrom(*snapshot, simulation_))
+      return Error{"the snapshot of tick " + std::to_string(snapshot->tick) + " cannot be restored"};
     tick_ = snapshot->tick;
   }
   if (target < tick_) return Error{"no snapshot before tick " + std::to_string(target) + ": start the game again"};

@@ -25,8 +25,9 @@ class Player {
   std::uint32_t tick() const { return tick_; }
   /// One tick. True if the state hashes as it did when it was recorded. Not at the end.
   bool step();
-  /// Forward or back to the state after `target` ticks: restores the nearest snapshot if that is ahead of where the player is, then
-  /// simulates. Back before the first snapshot needs a fresh simulation, so a target behind is refused then.
+  /// Forward or back to the state after `target` ticks: restores the nearest snapshot if that is ahead of where the
+  /// player is, then simulates. Back before the first snapshot needs a fresh simulation, so a target behind is refused
+  /// then.
   Status seek(std::uint32_t target);
 
  private:
@@ -36,14 +37,14 @@ class Player {
 };
 
 struct Difference {
-  std::uint32_t tick = 0;               // ticks done when the hashes first differ
+  std::uint32_t tick = 0;  // ticks done when the hashes first differ
   std::uint64_t recorded = 0, replayed = 0;
-  std::uint32_t fromSnapshot = 0;       // the tick of the snapshot the run began at; 0: at the start
-  bool unreadable = false;              // the snapshot could not be restored
+  std::uint32_t fromSnapshot = 0;  // the tick of the snapshot the run began at; 0: at the start
+  bool unreadable = false;         // the snapshot could not be restored
 };
 
-/// Runs the whole replay from its start, ignoring snapshots, then from each snapshot to the next. The first difference, if any.
-/// `progress` is called after every tick with the ticks done of the whole run and of all.
+/// Runs the whole replay from its start, ignoring snapshots, then from each snapshot to the next. The first difference,
+/// if any. `progress` is called after every tick with the ticks done of the whole run and of all.
 std::optional<Difference> verify(const Replay& replay, const MakeSimulation& make,
                                  const std::function<void(std::uint32_t, std::uint32_t)>& progress = {});
 

@@ -4,7 +4,9 @@
 
 namespace brittle::replay {
 
-std::optional<std::vector<unsigned char>> Snapshot::bytes() const { return decompress(block, size); }
+std::optional<std::vector<unsigned char>> Snapshot::bytes() const {
+  return decompress(block, size);
+}
 
 const Snapshot* Replay::snapshotBefore(std::uint32_t tick) const {
   const Snapshot* last = nullptr;

@@ -1,5 +1,6 @@
-// replay/replay.h - a game as data: where it started, what the player did in each tick, the state's hash after each tick, and snapshots
-// to seek by. Does not know what a level, a setting or a snapshot holds: those bytes belong to who recorded them.
+// replay/replay.h - a game as data: where it started, what the player did in each tick, the state's hash after each
+// tick, and snapshots to seek by. Does not know what a level, a setting or a snapshot holds: those bytes belong to who
+// recorded them.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +17,19 @@ inline constexpr std::uint32_t kMaxTicks = 4 * 60 * 60 * 60;
 
 /// What a game needs to start again in the same state.
 struct Start {
-  std::uint32_t simulationVersion = 0;   // raised by every change that changes results
-  std::uint64_t contentHash = 0;         // of the files the game was loaded from
+  std::uint32_t simulationVersion = 0;  // raised by every change that changes results
+  std::uint64_t contentHash = 0;        // of the files the game was loaded from
   std::uint64_t seed = 0;
-  std::uint32_t mode = 0;                // the game's own numbering
-  std::string level;                     // its name, as given on the command line
-  std::vector<unsigned char> settings;   // accuracy and physical switches, as their owner serialises them
+  std::uint32_t mode = 0;               // the game's own numbering
+  std::string level;                    // its name, as given on the command line
+  std::vector<unsigned char> settings;  // accuracy and physical switches, as their owner serialises them
   friend bool operator==(const Start&, const Start&) = default;
 };
 
 /// The state after the first `tick` ticks, compressed; bytes as the simulation saved them.
 struct Snapshot {
   std::uint32_t tick = 0;
-  std::uint32_t size = 0;                // [bytes] before compression
+  std::uint32_t size = 0;  // [bytes] before compression
   std::vector<unsigned char> block;
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 
@@ -38,9 +39,9 @@ struct Snapshot {
 
 struct Replay {
   Start start;
-  std::vector<InputFrame> frames;        // one per tick
-  std::vector<std::uint64_t> hashes;     // the state after each tick; as many as frames
-  std::vector<Snapshot> snapshots;       // in order of tick, each tick in [1, ticks()]
+  std::vector<InputFrame> frames;     // one per tick
+  std::vector<std::uint64_t> hashes;  // the state after each tick; as many as frames
+  std::vector<Snapshot> snapshots;    // in order of tick, each tick in [1, ticks()]
   friend bool operator==(const Replay&, const Replay&) = default;
 
   std::uint32_t ticks() const { return static_cast<std::uint32_t>(frames.size()); }

@@ -141,8 +141,9 @@ const char* readBody(ByteReader& in, Replay& replay) {
 }
 
 Error wrongVersion(const std::string& name, const char* what, std::uint32_t found, std::uint32_t ours) {
-  return errorAt(name, 0, std::string(what) + " version " + std::to_string(found) + ", this build plays version " + std::to_string(ours) +
-                              ": play it with the build that recorded it");
+  return errorAt(name, 0,
+                 std::string(what) + " version " + std::to_string(found) + ", this build plays version " +
+                     std::to_string(ours) + ": play it with the build that recorded it");
 }
 
 }  // namespace
@@ -168,13 +169,15 @@ Result<Replay> decode(std::span<const unsigned char> bytes, const std::string& n
   const auto format = header.read<std::uint32_t>();
   const auto simulation = header.read<std::uint32_t>();
   const auto length = header.read<std::uint64_t>();
-  if (!header.ok()) return errorAt(name, 0, "cut short: " + std::to_string(bytes.size()) + " bytes do not hold a header");
+  if (!header.ok())
+    return errorAt(name, 0, "cut short: " + std::to_string(bytes.size()) + " bytes do not hold a header");
   if (format != kFormatVersion) return wrongVersion(name, "format", format, kFormatVersion);
   if (simulation != simulationVersion) return wrongVersion(name, "simulation", simulation, simulationVersion);
   const std::uint64_t present = bytes.size() - kHeaderSize;
   if (present < kChecksumSize || length != present - kChecksumSize)
-    return errorAt(name, 0, "cut short or damaged: a body of " + std::to_string(length) + " bytes is announced, " + std::to_string(present) +
-                                " bytes follow, its checksum of 8 included");
+    return errorAt(name, 0,
+                   "cut short or damaged: a body of " + std::to_string(length) + " bytes is announced, " +
+                       std::to_string(present) + " bytes follow, its checksum of 8 included");
   ByteReader tail(bytes.last(kChecksumSize));
   if (tail.read<std::uint64_t>() != hashBytes(bytes.data(), bytes.size() - kChecksumSize))
     return errorAt(name, 0, "damaged: its checksum does not match its bytes");
@@ -194,14 +197,16 @@ Status save(const Replay& replay, const std::string& path) {
   std::error_code problem;
   if (out) std::filesystem::rename(temporary, path, problem);
   if (out && !problem) return Done{};
-  const std::string why = problem ? problem.message() : "cannot be written: is the folder there and writable, the disk not full?";
+  const std::string why =
+      problem ? problem.message() : "cannot be written: is the folder there and writable, the disk not full?";
   std::filesystem::remove(temporary, problem);
   return errorAt(path, 0, why);
 }
 
 Result<Replay> load(const std::string& path, std::uint32_t simulationVersion) {
   std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) return errorAt(path, 0, "no such file, expected a replay (.brt)");
+  if (!std::filesystem::is_regular_file(path, problem))
+    return errorAt(path, 0, "no such file, expected a replay (.brt)");
   std::ifstream in(path, std::ios::binary);
   const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in) return errorAt(path, 0, "cannot be read");

@@ -1,5 +1,6 @@
-// replay/replay_file.h - replays as .brt files: magic, format version, simulation version, length, the replay, checksum.
-// A file that is not exactly what was written is refused with one line; a replay of another version names both versions.
+// replay/replay_file.h - replays as .brt files: magic, format version, simulation version, length, the replay,
+// checksum. A file that is not exactly what was written is refused with one line; a replay of another version names
+// both versions.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// replay/simulation.h - what can be recorded and replayed: anything that is a function of its start and one input frame per tick.
+// replay/simulation.h - what can be recorded and replayed: anything that is a function of its start and one input frame
+// per tick.
 #pragma once
 
 #include <cstdint>

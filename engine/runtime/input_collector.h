@@ -1,5 +1,5 @@
-// runtime/input_collector.h - raw events in, one input frame per tick out. Turns a touched pixel into an aim in the view's tangent
-// plane, so that nothing after it knows how large the picture is.
+// runtime/input_collector.h - raw events in, one input frame per tick out. Turns a touched pixel into an aim in the
+// view's tangent plane, so that nothing after it knows how large the picture is.
 #pragma once
 
 #include <deque>
@@ -11,7 +11,8 @@ namespace brittle::runtime {
 
 class InputCollector {
  public:
-  /// The picture the following events refer to. `tanHalfWidth`: tangent of half the angle from its left border to its right.
+  /// The picture the following events refer to. `tanHalfWidth`: tangent of half the angle from its left border to its
+  /// right.
   void setView(PictureSize size, float tanHalfWidth);
   /// A pointer that goes down throws; R asks for a restart; the rest is not for the simulation.
   void add(const Event& event);

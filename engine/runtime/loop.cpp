@@ -2,7 +2,8 @@
 
 namespace brittle::runtime {
 
-Loop::Loop(Platform& platform, Client& client) : platform_(platform), client_(client), lastSeconds_(platform.seconds()) {}
+Loop::Loop(Platform& platform, Client& client)
+    : platform_(platform), client_(client), lastSeconds_(platform.seconds()) {}
 
 bool Loop::frame() {
   handleEvents();

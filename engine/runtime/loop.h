@@ -1,5 +1,5 @@
-// runtime/loop.h - the main loop: events, ticks, picture. Drives anything that ticks and draws; knows neither the game nor GL, and its
-// clock is the platform's, so tests run it in made-up time.
+// runtime/loop.h - the main loop: events, ticks, picture. Drives anything that ticks and draws; knows neither the game
+// nor GL, and its clock is the platform's, so tests run it in made-up time.
 #pragma once
 
 #include <vector>

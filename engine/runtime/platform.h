@@ -1,5 +1,6 @@
-// runtime/platform.h - what a platform must provide: a picture to draw into, the raw events of the user, and time. Implemented by
-// platform/*; used by the main loop. Nothing here knows the game, and nothing of the simulation may see it.
+// runtime/platform.h - what a platform must provide: a picture to draw into, the raw events of the user, and time.
+// Implemented by platform/*; used by the main loop. Nothing here knows the game, and nothing of the simulation may see
+// it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,17 @@
 
 namespace brittle::runtime {
 
-enum class EventKind : std::uint8_t { Quit, Resized, FocusLost, FocusGained, PointerDown, PointerMoved, PointerUp, KeyDown, KeyUp };
+enum class EventKind : std::uint8_t {
+  Quit,
+  Resized,
+  FocusLost,
+  FocusGained,
+  PointerDown,
+  PointerMoved,
+  PointerUp,
+  KeyDown,
+  KeyUp
+};
 
 /// The keys the runtime knows; printable ones carry their character in Event::character.
 enum class Key : std::uint8_t { Other, Character, Escape, Enter, Space, Backspace, Left, Right, Up, Down, Back };

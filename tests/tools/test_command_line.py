@@ -4,6 +4,7 @@
 usage: test_command_line.py PROGRAM ROOT
 """
 import os
+import pty
 import struct
 import subprocess
 import sys
@@ -120,6 +121,24 @@ class CommandLine(unittest.TestCase):
         result = brittle("verify", self.replay)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("150 ticks", result.stdout)
+
+    def test_progress_is_a_bar_on_a_terminal_and_lines_elsewhere(self):
+        plain = brittle("verify", self.replay).stderr
+        self.assertIn(": 100 %\n", plain)
+        self.assertNotIn("\r", plain)
+        controller, terminal = pty.openpty()
+        child = subprocess.Popen([str(PROGRAM), "verify", str(self.replay)], stdout=subprocess.DEVNULL, stderr=terminal, cwd=ROOT)
+        os.close(terminal)
+        shown = b""
+        try:
+            while chunk := os.read(controller, 4096):
+                shown += chunk
+        except OSError:  # the way a terminal says that the other end is closed
+            pass
+        os.close(controller)
+        self.assertEqual(child.wait(timeout=60), 0)
+        self.assertIn("[" + 40 * "#" + "] 100 %", shown.decode())
+        self.assertTrue(shown.endswith(b"\r\n"))
 
     def test_a_range_renders_the_same_alone_as_in_the_whole(self):
         whole, part = self.folder / "whole", self.folder / "part"

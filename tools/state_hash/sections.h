@@ -1,4 +1,5 @@
-// state_hash/sections.h - named hashes over the simulation's layers, lowest first: the first line that differs names the layer at fault.
+// state_hash/sections.h - named hashes over the simulation's layers, lowest first: the first line that differs names
+// the layer at fault.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,9 @@ namespace brittle {
 namespace {
 
 std::string lastCondition;
-void remember(const char* condition, const char*, int) { lastCondition = condition; }
+void remember(const char* condition, const char*, int) {
+  lastCondition = condition;
+}
 
 TEST(Assert, ABrokenContractReachesTheInstalledHandler) {
   const AssertHandler previous = setAssertHandler(remember);

@@ -9,7 +9,9 @@
 namespace brittle {
 namespace {
 
-float floatOf(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
+float floatOf(std::uint32_t bits) {
+  return __builtin_bit_cast(float, bits);
+}
 
 template <class T>
 std::uint64_t hashOf(T value) {

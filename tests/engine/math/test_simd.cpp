@@ -9,7 +9,9 @@
 namespace brittle {
 namespace {
 
-float anyFloat(Random& random) { return __builtin_bit_cast(float, random.next()); }
+float anyFloat(Random& random) {
+  return __builtin_bit_cast(float, random.next());
+}
 
 // Every operation, lane by lane, gives the bits of the scalar one: also for NaN, infinity, denormals and signed zeros.
 TEST(Simd, LanesGiveTheScalarBits) {
@@ -20,7 +22,8 @@ TEST(Simd, LanesGiveTheScalarBits) {
       a[lane] = anyFloat(random);
       b[lane] = lane == 3 ? -0.0f : anyFloat(random);
     }
-    const Float4 sum = a + b, product = a * b, quotient = a / b, low = minOf(a, b), high = maxOf(a, b), root = squareRoot(a);
+    const Float4 sum = a + b, product = a * b, quotient = a / b, low = minOf(a, b), high = maxOf(a, b),
+                 root = squareRoot(a);
     for (int lane = 0; lane < kLanes; ++lane) {
       const float x = a[lane], y = b[lane];
       ASSERT_EQ(canonicalBits(sum[lane]), canonicalBits(x + y));
@@ -47,7 +50,8 @@ TEST(Simd, FourVectorsAreFourScalarVectors) {
   }
   const Float4 products = dot(a, b);
   for (int lane = 0; lane < kLanes; ++lane) {
-    EXPECT_EQ(products[lane], (as[lane].x() * bs[lane].x() + as[lane].y() * bs[lane].y()) + as[lane].z() * bs[lane].z());
+    EXPECT_EQ(products[lane],
+              (as[lane].x() * bs[lane].x() + as[lane].y() * bs[lane].y()) + as[lane].z() * bs[lane].z());
   }
 }
 

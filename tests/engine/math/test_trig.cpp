@@ -37,12 +37,24 @@ TEST(Trig, StaysWithinOneUlpOfTheTruth) {
   EXPECT_LT(worstError(sine, sin, -7.0f, 7.0f), 1.0);
   EXPECT_LT(worstError(sine, sin, -1e5f, 1e5f), 1.0);
   EXPECT_LT(worstError(cosine, cos, -1e5f, 1e5f), 1.0);
-  EXPECT_LT(worstError(tangent, [](long double x) { return std::tan(x); }, -1.5f, 1.5f), 1.0);
-  EXPECT_LT(worstError(exponential, [](long double x) { return std::exp(x); }, -80.0f, 88.0f), 1.0);
-  EXPECT_LT(worstError(logarithm, [](long double x) { return std::log(x); }, 1e-6f, 1e6f), 1.0);
-  EXPECT_LT(worstError(arcSine, [](long double x) { return std::asin(x); }, -1.0f, 1.0f), 1.0);
-  EXPECT_LT(worstError(arcCosine, [](long double x) { return std::acos(x); }, -1.0f, 1.0f), 1.0);
-  EXPECT_LT(worstError([](float x) { return arcTangent(x, -0.7f); }, [](long double x) { return std::atan2(x, -0.7f); }, -50.0f, 50.0f), 1.0);
+  EXPECT_LT(worstError(
+                tangent, [](long double x) { return std::tan(x); }, -1.5f, 1.5f),
+            1.0);
+  EXPECT_LT(worstError(
+                exponential, [](long double x) { return std::exp(x); }, -80.0f, 88.0f),
+            1.0);
+  EXPECT_LT(worstError(
+                logarithm, [](long double x) { return std::log(x); }, 1e-6f, 1e6f),
+            1.0);
+  EXPECT_LT(worstError(
+                arcSine, [](long double x) { return std::asin(x); }, -1.0f, 1.0f),
+            1.0);
+  EXPECT_LT(worstError(
+                arcCosine, [](long double x) { return std::acos(x); }, -1.0f, 1.0f),
+            1.0);
+  EXPECT_LT(worstError([](float x) { return arcTangent(x, -0.7f); }, [](long double x) { return std::atan2(x, -0.7f); },
+                       -50.0f, 50.0f),
+            1.0);
 }
 
 TEST(Trig, SpecialValues) {

@@ -20,7 +20,8 @@ TEST(InputFrame, AimBeyondTheRangeIsClampedAndNothingIsUndefined) {
   EXPECT_EQ(quantizeAim(std::nanf(""), 0.5f), (Throw{0, 4096}));
 }
 
-// The same point of the view, reached from two picture sizes, is the same throw, but for points on the border of two steps.
+// The same point of the view, reached from two picture sizes, is the same throw, but for points on the border of two
+// steps.
 TEST(InputFrame, ThePicturesSizeDoesNotMatter) {
   int different = 0;
   for (int i = 0; i < 1000; ++i) {

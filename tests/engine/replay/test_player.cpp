@@ -19,7 +19,8 @@ TEST(Player, ARecordedGameVerifies) {
   const Replay replay = toyReplay(200);
   EXPECT_EQ(replay.snapshots.size(), 5u);
   std::uint32_t last = 0, all = 0;
-  EXPECT_FALSE(verify(replay, toy(42), [&](std::uint32_t done, std::uint32_t of) { last = done, all = of; }).has_value());
+  EXPECT_FALSE(
+      verify(replay, toy(42), [&](std::uint32_t done, std::uint32_t of) { last = done, all = of; }).has_value());
   EXPECT_EQ(last, all);
   EXPECT_EQ(all, 200u + 160u) << "the whole run, then from the first snapshot on";
 }
@@ -33,7 +34,9 @@ TEST(Player, TheFirstTickThatDiffersIsNamed) {
   EXPECT_NE(difference->recorded, difference->replayed);
 }
 
-TEST(Player, AnotherSeedDiffersAtOnce) { EXPECT_EQ(verify(toyReplay(50), toy(43))->tick, 1u); }
+TEST(Player, AnotherSeedDiffersAtOnce) {
+  EXPECT_EQ(verify(toyReplay(50), toy(43))->tick, 1u);
+}
 
 TEST(Player, AChangedInputDiffersInItsTick) {
   Replay replay = toyReplay(100);
@@ -80,7 +83,9 @@ TEST(Player, SeekingWhereItCannotGoSaysSo) {
   EXPECT_EQ(player.seek(10).error().message, "no snapshot before tick 10: start the game again");
 }
 
-TEST(Player, AnEmptyReplayVerifies) { EXPECT_FALSE(verify(toyReplay(0), toy(42)).has_value()); }
+TEST(Player, AnEmptyReplayVerifies) {
+  EXPECT_FALSE(verify(toyReplay(0), toy(42)).has_value());
+}
 
 }  // namespace
 }  // namespace brittle::replay

@@ -53,9 +53,11 @@ TEST(ReplayFile, AnHourTakesLittleMoreThanItsHashes) {
 
 TEST(ReplayFile, OtherVersionsAreRefusedNamingBoth) {
   std::vector<unsigned char> bytes = encode(toyReplay(3));
-  EXPECT_EQ(errorOf(bytes, 6), "a.brt: simulation version 5, this build plays version 6: play it with the build that recorded it");
+  EXPECT_EQ(errorOf(bytes, 6),
+            "a.brt: simulation version 5, this build plays version 6: play it with the build that recorded it");
   bytes[8] = 9;
-  EXPECT_EQ(errorOf(bytes), "a.brt: format version 9, this build plays version 1: play it with the build that recorded it");
+  EXPECT_EQ(errorOf(bytes),
+            "a.brt: format version 9, this build plays version 1: play it with the build that recorded it");
 }
 
 TEST(ReplayFile, OtherFilesAreRefused) {
@@ -63,7 +65,9 @@ TEST(ReplayFile, OtherFilesAreRefused) {
   EXPECT_EQ(errorOf({'<', 'l', 'e', 'v', 'e', 'l', '>', '\n', '\n'}), "a.brt: not a Brittle replay");
 }
 
-bool isOneLine(const std::string& text) { return text.starts_with("a.brt: ") && text.find('\n') == std::string::npos; }
+bool isOneLine(const std::string& text) {
+  return text.starts_with("a.brt: ") && text.find('\n') == std::string::npos;
+}
 
 TEST(ReplayFile, CutAtEveryByteItGivesOneLine) {
   const std::vector<unsigned char> bytes = encode(toyReplay(90));
@@ -81,7 +85,8 @@ TEST(ReplayFile, EveryFlippedBitGivesOneLine) {
     }
 }
 
-// With a matching checksum a changed byte may still be a legal file; what may not happen is a crash, a hang or a huge allocation.
+// With a matching checksum a changed byte may still be a legal file; what may not happen is a crash, a hang or a huge
+// allocation.
 TEST(ReplayFile, EveryChangedByteUnderARightChecksumIsReadOrRefused) {
   const std::vector<unsigned char> good = encode(toyReplay(90));
   int refused = 0;
@@ -99,7 +104,8 @@ TEST(ReplayFile, EveryChangedByteUnderARightChecksumIsReadOrRefused) {
 TEST(ReplayFile, CutUnderARightChecksumItIsRefused) {
   const std::vector<unsigned char> good = encode(toyReplay(90));
   for (std::size_t length = 33; length < good.size(); ++length)
-    ASSERT_TRUE(isOneLine(errorOf(sealed({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length)})))) << length;
+    ASSERT_TRUE(isOneLine(errorOf(sealed({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length)}))))
+        << length;
 }
 
 class ReplayFolder : public testing::Test {
@@ -123,7 +129,8 @@ TEST_F(ReplayFolder, SavesByRenamingAndLoads) {
 }
 
 TEST_F(ReplayFolder, MissingFilesAndFoldersAreNamed) {
-  EXPECT_EQ(load(folder / "none.brt", kVersion).error().message, (folder / "none.brt").string() + ": no such file, expected a replay (.brt)");
+  EXPECT_EQ(load(folder / "none.brt", kVersion).error().message,
+            (folder / "none.brt").string() + ": no such file, expected a replay (.brt)");
   EXPECT_FALSE(load(folder, kVersion));
   const Status status = save(toyReplay(1), folder / "none" / "a.brt");
   ASSERT_FALSE(status);

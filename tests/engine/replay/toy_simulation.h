@@ -11,7 +11,8 @@ class ToySimulation : public Simulation {
   explicit ToySimulation(std::uint64_t seed) : random_(seed) {}
   void tick(const InputFrame& input) override {
     value_ = mixSeed(value_, random_.next());
-    for (const Throw& aim : input.throws) value_ = mixSeed(value_, static_cast<std::uint16_t>(aim.x) * 65536u + static_cast<std::uint16_t>(aim.y));
+    for (const Throw& aim : input.throws)
+      value_ = mixSeed(value_, static_cast<std::uint16_t>(aim.x) * 65536u + static_cast<std::uint16_t>(aim.y));
     value_ += input.buttons;
     ++ticks;
     if (ticks == breakAt) ++value_;

@@ -14,7 +14,8 @@ int ticksAt(double framesPerSecond, double seconds) {
 }
 
 TEST(FixedStep, SixtyTicksASecondAtAnyFrameRate) {
-  for (const double rate : {20.0, 30.0, 59.94, 60.0, 90.0, 120.0, 144.0, 1000.0}) EXPECT_NEAR(ticksAt(rate, 10.0), 600, 1) << rate;
+  for (const double rate : {20.0, 30.0, 59.94, 60.0, 90.0, 120.0, 144.0, 1000.0})
+    EXPECT_NEAR(ticksAt(rate, 10.0), 600, 1) << rate;
 }
 
 TEST(FixedStep, AFrameOfOneTickGivesExactlyOneTickAnHourLong) {
