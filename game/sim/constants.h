@@ -1,5 +1,5 @@
-// game/sim/constants.h - every number of the rules, with its unit and what depends on it. Published values of the genre's gameplay are
-// marked "format"; the rest is ours, chosen by playing, and says what goes wrong beyond its range.
+// game/sim/constants.h - every number of the rules, with its unit and what depends on it. Published values of the
+// genre's gameplay are marked "format"; the rest is ours, chosen by playing, and says what goes wrong beyond its range.
 #pragma once
 
 #include <cstdint>
@@ -7,87 +7,99 @@
 namespace brittle::sim::rules {
 
 /// Raised by every change that changes results: a replay of another version is refused.
-inline constexpr std::uint32_t kSimulationVersion = 1;
+inline constexpr std::uint32_t kSimulationVersion = 2;
 
 // Time.
-inline constexpr int kTickRate = 60;                    // [ticks/s], format
-inline constexpr float kTickSeconds = 1.0f / 60.0f;     // [s]
-inline constexpr int kRoomTicks = 32 * kTickRate;       // a room lasts 32 s whatever its length, format
-inline constexpr float kBeatTicks = 30.0f;              // 120 beats a minute, format
+inline constexpr int kTickRate = 60;                 // [ticks/s], format
+inline constexpr float kTickSeconds = 1.0f / 60.0f;  // [s]
+inline constexpr int kRoomTicks = 32 * kTickRate;    // a room lasts 32 s whatever its length, format
+inline constexpr float kBeatTicks = 30.0f;           // 120 beats a minute, format
 
 // Camera.
-inline constexpr float kCameraHeight = 1.0f;            // [m], format
-inline constexpr float kHalfWidthTangent = 0.57735027f; // 60 degrees from left to right, format; height follows the picture's aspect
-inline constexpr float kNear = 0.2f;                    // [m], format
-inline constexpr float kFar = 100.0f;                   // [m], format
-inline constexpr float kFogNear = 5.0f;                 // fog begins at this depth [m], format
-inline constexpr float kFogFull = 25.0f;                // and is full here [m], format
-inline constexpr float kCameraRadius = 0.25f;           // what must fit through a hole [m]; above 0.6 no single throw opens a way
-inline constexpr int kPaceShift = 200;                  // room length glides by 1/200 of the difference per tick, format
+inline constexpr float kCameraHeight = 1.0f;  // [m], format
+inline constexpr float kHalfWidthTangent =
+    0.57735027f;                          // 60 degrees from left to right, format; height follows the picture's aspect
+inline constexpr float kNear = 0.2f;      // [m], format
+inline constexpr float kFar = 100.0f;     // [m], format
+inline constexpr float kFogNear = 5.0f;   // fog begins at this depth [m], format
+inline constexpr float kFogFull = 25.0f;  // and is full here [m], format
+inline constexpr float kCameraRadius =
+    0.25f;                                // what must fit through a hole [m]; above 0.6 no single throw opens a way
+inline constexpr int kPaceShift = 200;    // room length glides by 1/200 of the difference per tick, format
+inline constexpr int kQuickSaveTick = 3;  // a room counts as reached this many ticks after its door, format
 
 // Track.
-inline constexpr float kSpawnAhead = 30.0f;             // obstacles start this far ahead [m], format
-inline constexpr float kSpawnAheadElevator = 40.0f;     // those with "elevator" in their name [m], format
-inline constexpr float kNextRoomAhead = 30.0f;          // the next room is made this far before the door [m], format
-inline constexpr float kShiftEvery = 64.0f;             // the origin moves on at multiples of this in a room [m], multiple of 2^-8
-inline constexpr float kBuildAhead = 70.0f;             // segments get their bodies this far ahead [m]; a ball never outflies it
-inline constexpr float kSegmentBehind = 2.0f;           // a segment is dropped when its end is this far behind the camera [m]
-inline constexpr float kDefaultRoomLength = 160.0f;     // of a room script that declares none [m]
-inline constexpr float kLengthStep = 1.0f / 256.0f;     // room lengths and shifts are multiples of this [m]
-inline constexpr float kBehindCamera = 0.6f;            // things wholly this far behind are removed [m]
-inline constexpr float kFallDepth = -10.0f;             // what falls below is removed [m], format
+inline constexpr float kSpawnAhead = 30.0f;            // obstacles start this far ahead [m], format
+inline constexpr float kSpawnAheadElevator = 40.0f;    // those with "elevator" in their name [m], format
+inline constexpr float kNextRoomAhead = 30.0f;         // the next room is made this far before the door [m], format
+inline constexpr int kNextRoomTicks = 28 * kTickRate;  // or after this time in the room, format
+inline constexpr float kShiftEvery = 64.0f;  // the origin moves on at multiples of this in a room [m], multiple of 2^-8
+inline constexpr float kBuildAhead = 70.0f;  // segments get their bodies this far ahead [m]; a ball never outflies it
+inline constexpr float kSegmentBehind = 2.0f;  // a segment is dropped when its end is this far behind the camera [m]
+inline constexpr float kDefaultRoomLength = 160.0f;  // of a room script that declares none [m]
+inline constexpr float kLengthStep = 1.0f / 256.0f;  // room lengths and shifts are multiples of this [m]
+inline constexpr float kBehindCamera = 0.6f;         // things wholly this far behind are removed [m]
+inline constexpr float kFallDepth = -10.0f;          // what falls below is removed [m], format
 
 // Balls.
-inline constexpr int kStartBalls = 25;                  // format
-inline constexpr int kTrainingBallCap = 500;            // format
-inline constexpr float kBallRadius = 0.13f;             // [m]; below 0.08 it slips between bars, above 0.2 it hides the target
-inline constexpr float kBallDensity = 7800.0f;          // steel [kg/m3]: 72 kg at 0.13 m
-inline constexpr float kBallFriction = 0.4f;            // [-]
-inline constexpr float kBallRestitution = 0.3f;         // [-]
-inline constexpr float kThrowSpeed = 20.0f;             // on top of the camera's own speed [m/s]; below 12 throws fall short
-inline constexpr float kThrowAhead = 0.5f;              // a ball starts this far ahead of the camera [m]
-inline constexpr float kAimDistance = 10.0f;            // a throw is lobbed so that it crosses the aimed line here [m]
-inline constexpr float kVolleySpread = 0.32f;           // between the balls of one throw [m]; above 2 radii, or they collide
-inline constexpr int kMaxVolley = 5;                    // format
-inline constexpr int kStreakPerBall = 10;               // streak for one more ball in a throw, format
+inline constexpr int kStartBalls = 25;             // format
+inline constexpr int kTrainingBallCap = 500;       // format
+inline constexpr int kBallCap = 999;               // in every other mode: three digits are all the picture has room for
+inline constexpr std::uint64_t kTrainingSeed = 1;  // training is the same every time, format
+inline constexpr float kBallRadius = 0.13f;      // [m]; below 0.08 it slips between bars, above 0.2 it hides the target
+inline constexpr float kBallDensity = 7800.0f;   // steel [kg/m3]: 72 kg at 0.13 m
+inline constexpr float kBallFriction = 0.4f;     // [-]
+inline constexpr float kBallRestitution = 0.3f;  // [-]
+inline constexpr float kThrowSpeed = 20.0f;      // on top of the camera's own speed [m/s]; below 12 throws fall short
+inline constexpr float kThrowAhead = 0.5f;       // a ball starts this far ahead of the camera [m]
+inline constexpr float kAimDistance = 10.0f;     // a throw is lobbed so that it crosses the aimed line here [m]
+inline constexpr float kVolleySpread = 0.32f;    // between the balls of one throw [m]; above 2 radii, or they collide
+inline constexpr int kMaxVolley = 5;             // format
+inline constexpr int kStreakPerBall = 10;        // streak for one more ball in a throw, format
 
 // Score.
-inline constexpr int kCrashCost = 10;                   // balls, format
-inline constexpr int kCrashPause = 45;                  // ticks without another crash
-inline constexpr float kCrashPieceMass = 6.0f;          // loose pieces below this are pushed aside by the camera [kg]
-inline constexpr float kCrashRimMass = 0.5f;            // and so are slivers at the rim of a hole below this [kg]: 11 cm of a pane of 4 cm
-inline constexpr float kCrashSpeed = 12.0f;             // breaking by the camera is a hit of this speed [m/s]
-inline constexpr int kLastBallTicks = 120;              // grace for the last ball to win others [ticks]
-inline constexpr int kClearedNotes = 12;                // sounds of a cleared obstacle, format
-inline constexpr int kPainTicks = 40;                   // the red border fades over this [ticks]
+inline constexpr int kCrashCost = 10;           // balls, format
+inline constexpr int kCrashPause = 45;          // ticks without another crash
+inline constexpr float kCrashPieceMass = 6.0f;  // loose pieces below this are pushed aside by the camera [kg]
+inline constexpr float kCrashRimMass =
+    0.5f;  // and so are slivers at the rim of a hole below this [kg]: 11 cm of a pane of 4 cm
+inline constexpr float kCrashSpeed = 12.0f;  // breaking by the camera is a hit of this speed [m/s]
+inline constexpr int kLastBallTicks = 120;   // grace for the last ball to win others [ticks]
+inline constexpr int kClearedNotes = 12;     // sounds of a cleared obstacle, format
+inline constexpr int kPainTicks = 40;        // the red border fades over this [ticks]
 
-// Units of the level format. Its materials say density 1 and force limits of 0.01 to 0.5. Shipped panes (4 x 2 x 0.04 m, limit 0.1)
-// weigh 80 kg and hold 150 N s a tick: ten times their weight is 131 N s; a ball brings 1430 N s at the slowest throw.
-inline constexpr float kDensityUnit = 250.0f;           // [kg/m3] per 1 of the format
-inline constexpr float kForceUnit = 1500.0f;            // [N s] per 1 of the format
-inline constexpr float kCarveRadius = 0.55f;            // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
-inline constexpr float kBlockCracks = 0.5f;             // cracks in blocks, relative to the material's default [-]
-inline constexpr float kSmallestPiece = 1e-4f;          // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
-inline constexpr float kWeightsHeld = 4.0f;             // a body holds at least so many of its own weight [-]; below 1 it bursts as it stands
-inline constexpr float kSmallestShare = 1.0f / 1000.0f; // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
-inline constexpr float kGravity = 9.81f;                // [m/s2] at the format's gravity 1
+// Units of the level format. Its materials say density 1 and force limits of 0.01 to 0.5. Shipped panes (4 x 2 x 0.04
+// m, limit 0.1) weigh 80 kg and hold 150 N s a tick: ten times their weight is 131 N s; a ball brings 1430 N s at the
+// slowest throw.
+inline constexpr float kDensityUnit = 250.0f;  // [kg/m3] per 1 of the format
+inline constexpr float kForceUnit = 1500.0f;   // [N s] per 1 of the format
+inline constexpr float kCarveRadius =
+    0.55f;  // hole of a hit at 10 m/s [m]: at the slowest throw the camera fits through
+inline constexpr float kBlockCracks = 0.5f;     // cracks in blocks, relative to the material's default [-]
+inline constexpr float kSmallestPiece = 1e-4f;  // pieces below become crumbs [m3]; above 1e-3 panes vanish into dust
+inline constexpr float kWeightsHeld =
+    4.0f;  // a body holds at least so many of its own weight [-]; below 1 it bursts as it stands
+inline constexpr float kSmallestShare =
+    1.0f / 1000.0f;  // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
+inline constexpr float kGravity = 9.81f;  // [m/s2] at the format's gravity 1
 
 // Collision categories (bits), the format's.
 inline constexpr std::uint32_t kCategoryDefault = 1;
 inline constexpr std::uint32_t kCategoryDoor = 2;
 inline constexpr std::uint32_t kCategoryCrystal = 4;
-inline constexpr std::uint32_t kCategoryBall = 8;       // ours: the format leaves it open
-inline constexpr std::uint32_t kCategoryRoom = 128;     // what rays with mask 128 ask for
+inline constexpr std::uint32_t kCategoryBall = 8;    // ours: the format leaves it open
+inline constexpr std::uint32_t kCategoryRoom = 128;  // what rays with mask 128 ask for
 
 // Scripts.
 inline constexpr std::uint32_t kMaxBodiesPerObstacle = 256;
 inline constexpr std::uint32_t kMaxShapesPerObstacle = 1024;
 inline constexpr std::uint32_t kMaxObstaclesPerRoom = 4000;
-inline constexpr std::int64_t kScriptInstructions = 200'000;  // per call of a script; a busy obstacle needs a few thousand
+inline constexpr std::int64_t kScriptInstructions =
+    200'000;  // per call of a script; a busy obstacle needs a few thousand
 inline constexpr int kCylinderSides = 12;
-inline constexpr float kButtonRadius = 0.2f;            // [m]
-inline constexpr float kLaserReach = 20.0f;             // [m]
+inline constexpr float kButtonRadius = 0.2f;  // [m]
+inline constexpr float kLaserReach = 20.0f;   // [m]
 inline constexpr std::uint32_t kMaxSegmentsPerRoom = 400;
-inline constexpr std::uint32_t kMaxProblems = 256;      // kept; the rest is counted
+inline constexpr std::uint32_t kMaxProblems = 256;  // kept; the rest is counted
 
 }  // namespace brittle::sim::rules

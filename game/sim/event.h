@@ -1,5 +1,5 @@
-// game/sim/event.h - what happened in one tick, for the picture, the sound and the smoke tests. Positions are in the local frame of
-// the tick (see FramePacket). Nothing in the simulation reads events back.
+// game/sim/event.h - what happened in one tick, for the picture, the sound and the smoke tests. Positions are in the
+// local frame of the tick (see FramePacket). Nothing in the simulation reads events back.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,33 @@ namespace brittle::sim {
 enum class Look : std::uint16_t { Static = 0, Glass, Metal, Wood, Stone, Crystal, Ball, Door };
 
 enum class EventType : std::uint8_t {
-  Throw,         // a ball left the camera; direction: its velocity
-  Break,         // something broke
-  Hit,           // two things met, faster than 0.5 m/s
-  Crystal,       // value: balls won
-  CrystalMissed, // passed unbroken: the streak is gone
-  Crash,         // value: balls lost
-  Cleared,       // an obstacle is dealt with; value: which of the 12 notes
+  Throw,          // a ball left the camera; direction: its velocity
+  Break,          // something broke
+  Hit,            // two things met, faster than 0.5 m/s
+  Crystal,        // value: balls won
+  CrystalMissed,  // passed unbroken: the streak is gone
+  Crash,          // value: balls lost
+  Cleared,        // an obstacle is dealt with; value: which of the 12 notes
   DoorOpens,
-  RoomEntered,   // value: the room's number
-  Multiball,     // value: the new number of balls per throw
-  Sound,         // a script asked for one; value: index into Game::soundNames()
+  RoomEntered,  // value: the room's number
+  Multiball,    // value: the new number of balls per throw
+  Sound,        // a script asked for one; value: index into Game::soundNames()
   GameOver,
-  LevelDone
+  LevelDone,  // the last room of the level is passed
+  Begin,      // the title is left
+  Checkpoint  // a room that ends at a checkpoint is passed; value: the balls now stored for it
 };
 
 struct Event {
   EventType type = EventType::Hit;
-  Look look = Look::Glass;             // of what broke or was hit
-  Vec3 point = Vec3::Zero();           // [m]
-  Vec3 direction = Vec3::Zero();       // the way the striker went, unit (Throw: velocity [m/s])
-  float speed = 0.0f;                  // approach speed [m/s]
-  float size = 0.0f;                   // of what broke: cube root of its volume [m]
-  float impulse = 0.0f;                // [N s]
+  Look look = Look::Glass;        // of what broke or was hit
+  Vec3 point = Vec3::Zero();      // [m]
+  Vec3 direction = Vec3::Zero();  // the way the striker went, unit (Throw: velocity [m/s])
+  float speed = 0.0f;             // approach speed [m/s]
+  float size = 0.0f;              // of what broke: cube root of its volume [m]
+  float impulse = 0.0f;           // [N s]
   std::int32_t value = 0;
-  std::uint32_t pieces = 0;            // Break: new bodies
+  std::uint32_t pieces = 0;  // Break: new bodies
 };
 
 }  // namespace brittle::sim

@@ -1,8 +1,9 @@
-// game/sim/frame_packet.h - all that the picture and the sound need of one tick, copied out: shares nothing with the live simulation but
-// immutable looks of segments. Meshes are mirrored from Game::meshes(packet.rooms[i].slot) at the same moment.
+// game/sim/frame_packet.h - all that the picture and the sound need of one tick, copied out: shares nothing with the
+// live simulation but immutable looks of segments. Meshes are mirrored from Game::meshes(packet.rooms[i].slot) at the
+// same moment.
 //
-// Coordinates are the current room's local frame of this tick (X right, Y up, -Z forward): near the origin, shifted now and then.
-// `originZ` tells by how much, for who must keep something in place over several ticks.
+// Coordinates are the current room's local frame of this tick (X right, Y up, -Z forward): near the origin, shifted now
+// and then. `originZ` tells by how much, for who must keep something in place over several ticks.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +21,19 @@ struct Camera {
   Vec3 position = Vec3(0.0f, 1.0f, 0.0f);  // [m]
   Quat rotation = Quat::Identity();        // looks along -Z; rolls in rotating rooms
   Vec3 velocity = Vec3::Zero();            // [m/s]
-  float halfWidthTangent = 0.0f;           // tangent of half the angle from left to right; height follows the picture's aspect
-  float near = 0.0f, far = 0.0f;           // [m]
+  float halfWidthTangent = 0.0f;  // tangent of half the angle from left to right; height follows the picture's aspect
+  float near = 0.0f, far = 0.0f;  // [m]
 };
 
-/// A box of a segment as its mesh is baked from. In the segment's frame: x, y as in the room, z from 0 (its start) to -length.
+/// A box of a segment as its mesh is baked from. In the segment's frame: x, y as in the room, z from 0 (its start) to
+/// -length.
 struct LookBox {
-  Vec3 center = Vec3::Zero();                                     // [m]
-  Vec3 halfExtents = Vec3::Ones();                                // [m]
-  Vec3 color[3] = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};     // x, y and z faces, linear
-  std::int32_t tile[3] = {0, 0, 0};                               // in the 8 x 8 atlas
-  float tileSize[3] = {1.0f, 1.0f, 1.0f};                         // [m]
-  std::int32_t tileRotation[3] = {0, 0, 0};                       // quarter turns
+  Vec3 center = Vec3::Zero();                                  // [m]
+  Vec3 halfExtents = Vec3::Ones();                             // [m]
+  Vec3 color[3] = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};  // x, y and z faces, linear
+  std::int32_t tile[3] = {0, 0, 0};                            // in the 8 x 8 atlas
+  float tileSize[3] = {1.0f, 1.0f, 1.0f};                      // [m]
+  std::int32_t tileRotation[3] = {0, 0, 0};                    // quarter turns
   bool reflects = false;
   float glow = 0.0f;
 };
@@ -39,44 +41,44 @@ struct LookBox {
 struct LookDecal {
   Vec3 position = Vec3::Zero();
   Quat rotation = Quat::Identity();
-  Vec2 size = Vec2::Ones();              // half extents [m]
+  Vec2 size = Vec2::Ones();  // half extents [m]
   std::int32_t tile = 0;
   Vec4 color = Vec4::Ones();
-  float blend = 1.0f;                    // 1: normal, 0: additive
+  float blend = 1.0f;  // 1: normal, 0: additive
 };
 
 /// What a segment looks like: made once when it is placed, never changed.
 struct SegmentLook {
   std::string name;
-  std::vector<LookBox> boxes;            // the visible ones
+  std::vector<LookBox> boxes;  // the visible ones
   std::vector<LookDecal> decals;
-  float length = 0.0f;                   // [m]
-  float light[6] = {1, 1, 1, 1, 1, 1};   // left (-X faces), right, top, bottom, front (+Z), back
+  float length = 0.0f;                  // [m]
+  float light[6] = {1, 1, 1, 1, 1, 1};  // left (-X faces), right, top, bottom, front (+Z), back
   float softShadow = 0.6f;
 };
 
 struct PlacedSegment {
-  std::uint64_t id = 0;                  // unique in a game: a baked mesh can be kept under it
-  Vec3 origin = Vec3::Zero();            // of the segment's frame [m]
+  std::uint64_t id = 0;        // unique in a game: a baked mesh can be kept under it
+  Vec3 origin = Vec3::Zero();  // of the segment's frame [m]
   std::shared_ptr<const SegmentLook> look;
 };
 
 /// The pose of a body slot; vertices of the mesh pool name shapes, shapes name body slots.
 struct BodyPose {
   Transform pose;
-  std::uint32_t generation = 0;          // 0: the slot is free. A change means another body: do not interpolate
+  std::uint32_t generation = 0;  // 0: the slot is free. A change means another body: do not interpolate
 };
 
 struct BallView {
   std::uint32_t id = 0;
-  Transform pose;                        // of the centre
-  float radius = 0.0f;                   // [m]
+  Transform pose;       // of the centre
+  float radius = 0.0f;  // [m]
 };
 
 struct CrumbView {
   Vec3 position = Vec3::Zero();
-  float radius = 0.0f;                   // [m]
-  std::uint32_t color = 0xffffffff;      // RGBA8, R lowest
+  float radius = 0.0f;               // [m]
+  std::uint32_t color = 0xffffffff;  // RGBA8, R lowest
 };
 
 /// A taut or slack rope between two points. [m]
@@ -86,28 +88,43 @@ struct RopeView {
 
 /// One of the at most two rooms alive: the one the camera is in and the next one.
 struct RoomView {
-  std::uint64_t number = 0;              // counts up through the game
-  std::uint32_t slot = 0;                // 0 or 1: Game::meshes(slot); a new number in a slot means another pool: upload everything
+  std::uint64_t number = 0;  // counts up through the game
+  std::int32_t ticks = 0;    // since the camera entered it, negative before: what its music is played by
+  std::uint32_t slot = 0;    // 0 or 1: Game::meshes(slot); a new number in a slot means another pool: upload everything
   Vec3 fogBottom = Vec3::Zero(), fogTop = Vec3::Zero();  // colours, linear, may leave [0, 1]
-  float reverb[3] = {0, 0, 0};           // volume, time [s], low-pass
-  float echo[4] = {0, 0, 0, 0};          // volume, delay [s], feedback, low-pass
+  float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
+  float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
-  std::string music, particles;          // names; empty: none
+  std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
-  std::vector<BodyPose> bodies;          // by body slot
-  Vec3 bodyOffset = Vec3::Zero();        // added already to every pose of this room
+  std::vector<BodyPose> bodies;    // by body slot
+  Vec3 bodyOffset = Vec3::Zero();  // added already to every pose of this room
   std::vector<CrumbView> crumbs;
   std::vector<RopeView> ropes;
-  std::vector<RopeView> beams;           // lasers
+  std::vector<RopeView> beams;  // lasers
+};
+
+/// Where a game stands. A level runs from its title to the checkpoint at its end, unless the balls run out before.
+enum class Phase : std::uint8_t {
+  Title,  // the camera waits at the first door for a touch, which throws nothing
+  Playing,
+  Checkpoint,  // the level's last room is passed: the camera stands in its last door
+  GameOver     // out of balls: the camera stands where it was
 };
 
 struct Hud {
+  Phase phase = Phase::Playing;
+  std::uint32_t phaseTicks = 0;  // since the phase began
+  bool countsBalls = true;       // false: they are free (zen), show no number
   std::int32_t balls = 0;
   std::int32_t streak = 0;
   std::int32_t ballsPerThrow = 1;
-  float distance = 0.0f;                 // displayed, in the level's units
-  float roomProgress = 0.0f;             // 0 to 1
-  float pain = 0.0f;                     // red border, 1 to 0
+  std::int32_t room = 0;             // which of the level's, from 0
+  std::int32_t rooms = 0;            // how many the level has
+  std::int32_t checkpointBalls = 0;  // with which the game would begin again at the last checkpoint
+  float distance = 0.0f;             // displayed, in the level's units
+  float roomProgress = 0.0f;         // 0 to 1
+  float pain = 0.0f;                 // red border, 1 to 0
   bool gameOver = false;
   bool levelDone = false;
 };

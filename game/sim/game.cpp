@@ -9,33 +9,80 @@ namespace brittle::sim {
 namespace {
 
 /// Raised whenever a snapshot's layout or the meaning of an input changes.
-constexpr std::uint32_t kSnapshotVersion = 1;
+constexpr std::uint32_t kSnapshotVersion = 2;
 
 }  // namespace
 
 struct Game::Impl {
   Impl(const content::AssetSource& assets, const GameDef& def) : session(assets, def) {
-    session.score.balls = rules::kStartBalls;
+    session.score.balls = clampTo(def.balls, 1, session.ballCap());
+    session.score.streak = maxOf(def.streak, 0);
     session.score.free = def.mode == Mode::Zen;
     session.globals["player.mode"] = std::to_string(static_cast<int>(def.mode));
+    stage.phase = def.title ? Phase::Title : Phase::Playing;
+    stage.checkpoint = stage.reached = {def.firstRoom, session.score.balls, session.score.streak, 0.0f};
   }
+  /// Where the game stands; changed only here.
+  struct Stage {
+    Phase phase = Phase::Playing;
+    std::uint32_t ticks = 0;  // since it began
+    RestartPoint checkpoint, reached;
+    template <class Archive>
+    void serialize(Archive& a) {
+      a(phase);
+      a(ticks);
+      checkpoint.serialize(a);
+      reached.serialize(a);
+    }
+  };
+  void enter(Phase phase, EventType type);
+  void remember();
   void refreshHud();
+  RestartPoint pointAt(std::uint32_t room) const;
 
   Session session;
   std::unique_ptr<Track> track;
+  Stage stage;
   Hud hud;
 };
 
+void Game::Impl::enter(Phase phase, EventType type) {
+  stage.phase = phase;
+  stage.ticks = 0;
+  Event event;
+  event.type = type;
+  session.events.push_back(event);
+}
+
+RestartPoint Game::Impl::pointAt(std::uint32_t room) const {
+  return {room, session.score.balls, session.score.streak, track->displayedDistance()};
+}
+
+/// Checkpoints passed in this tick, and the room reached a few ticks after its door.
+void Game::Impl::remember() {
+  for (const Event& event : session.events)
+    if (event.type == EventType::Checkpoint)
+      stage.checkpoint = pointAt(track->roomIndex() + (track->levelDone() ? 1 : 0));
+  if (!session.score.free && track->pace().ticks() == rules::kQuickSaveTick)
+    stage.reached = pointAt(track->roomIndex());
+}
+
 void Game::Impl::refreshHud() {
   const Score& score = session.score;
+  hud.phase = stage.phase;
+  hud.phaseTicks = stage.ticks;
+  hud.countsBalls = !score.free;
+  hud.room = static_cast<std::int32_t>(track->roomIndex());
+  hud.rooms = static_cast<std::int32_t>(track->roomCount());
+  hud.checkpointBalls = stage.checkpoint.balls;
   hud.balls = score.balls;
   hud.streak = score.streak;
   hud.ballsPerThrow = score.ballsPerThrow();
   hud.distance = track->displayedDistance();
   hud.roomProgress = clampTo(track->pace().distance() / track->pace().roomLength(), 0.0f, 1.0f);
   hud.pain = static_cast<float>(score.pain) / static_cast<float>(rules::kPainTicks);
-  hud.gameOver = score.over;
-  hud.levelDone = track->levelDone();
+  hud.gameOver = stage.phase == Phase::GameOver;
+  hud.levelDone = stage.phase == Phase::Checkpoint;
 }
 
 Game::Game(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -46,7 +93,8 @@ Result<std::unique_ptr<Game>> Game::create(const content::AssetSource& assets, c
   Result<std::vector<RoomEntry>> entries = loadLevel(impl->session, def.level);
   if (!entries) return entries.error();
   if (def.firstRoom >= entries->size())
-    return Error{"level " + def.level + ": no room " + std::to_string(def.firstRoom) + ", it has " + std::to_string(entries->size())};
+    return Error{"level " + def.level + ": no room " + std::to_string(def.firstRoom) + ", it has " +
+                 std::to_string(entries->size())};
   readAhead(impl->session, *entries);
   impl->track = std::make_unique<Track>(impl->session, std::move(*entries), def.firstRoom, def.startOffset);
   impl->refreshHud();
@@ -56,23 +104,32 @@ Result<std::unique_ptr<Game>> Game::create(const content::AssetSource& assets, c
 void Game::tick(const replay::InputFrame& input) {
   Session& session = impl_->session;
   session.events.clear();
-  const bool wasOver = session.score.over;
-  impl_->track->tick(input);
+  Impl::Stage& stage = impl_->stage;
+  const bool isPlaying = stage.phase == Phase::Playing;
+  ++stage.ticks;
+  impl_->track->tick(input, isPlaying);
   session.score.tick();
-  if (session.score.over && !wasOver) {
-    Event event;
-    event.type = EventType::GameOver;
-    session.events.push_back(event);
+  if (stage.phase == Phase::Title && !input.throws.empty()) impl_->enter(Phase::Playing, EventType::Begin);
+  if (isPlaying) {
+    impl_->remember();
+    if (impl_->track->levelDone()) {
+      impl_->enter(Phase::Checkpoint, EventType::LevelDone);
+    } else if (session.score.over) {
+      impl_->enter(Phase::GameOver, EventType::GameOver);
+    }
   }
   ++session.tick;
   impl_->refreshHud();
 }
 
-std::uint64_t Game::tickCount() const { return impl_->session.tick; }
+std::uint64_t Game::tickCount() const {
+  return impl_->session.tick;
+}
 
 std::uint64_t Game::stateHash() const {
   HashArchive archive;
   impl_->session.score.serialize(archive);
+  impl_->stage.serialize(archive);
   StateHash hash;
   hash.add(impl_->session.tick);
   hash.add(archive.value());
@@ -84,7 +141,9 @@ std::uint64_t Game::stateHash() const {
   return hash.value();
 }
 
-std::uint64_t Game::roomHash() const { return impl_->track->roomHash(); }
+std::uint64_t Game::roomHash() const {
+  return impl_->track->roomHash();
+}
 
 void Game::save(ByteWriter& out) const {
   const Session& session = impl_->session;
@@ -95,6 +154,8 @@ void Game::save(ByteWriter& out) const {
   SaveArchive archive(out);
   Score score = session.score;
   score.serialize(archive);
+  Impl::Stage stage = impl_->stage;
+  stage.serialize(archive);
   out.write(static_cast<std::uint32_t>(session.globals.size()));
   for (const auto& [key, value] : session.globals) {
     out.writeString(key);
@@ -110,6 +171,7 @@ bool Game::restore(ByteReader& in) {
   session.tick = in.read<std::uint64_t>();
   RestoreArchive archive(in);
   session.score.serialize(archive);
+  impl_->stage.serialize(archive);
   std::map<std::string, std::string> globals;
   const auto count = in.read<std::uint32_t>();
   for (std::uint32_t i = 0; i < count && in.ok(); ++i) {
@@ -123,21 +185,60 @@ bool Game::restore(ByteReader& in) {
   return true;
 }
 
-const GameDef& Game::def() const { return impl_->session.def; }
-std::uint64_t Game::contentHash() const { return impl_->session.files.hash(); }
-Camera Game::camera() const { return impl_->track->camera(); }
-const Hud& Game::hud() const { return impl_->hud; }
-bool Game::isOver() const { return impl_->hud.gameOver || impl_->hud.levelDone; }
-const std::vector<Event>& Game::events() const { return impl_->session.events; }
-const std::vector<Problem>& Game::problems() const { return impl_->session.problems; }
-const std::vector<std::string>& Game::soundNames() const { return impl_->session.soundNames; }
-std::uint64_t Game::roomNumber() const { return impl_->track->current().number(); }
-float Game::roomDistance() const { return impl_->track->pace().distance(); }
-std::int64_t Game::globalOrigin() const { return impl_->track->globalOrigin(); }
-std::uint32_t Game::totalBreaks() const { return impl_->session.score.breaks; }
-std::uint32_t Game::totalCrashes() const { return impl_->session.score.crashes; }
-std::uint32_t Game::totalQuarantined() const { return impl_->session.score.quarantined; }
-const effects::EffectSet& Game::effects() const { return impl_->session.effects; }
+const GameDef& Game::def() const {
+  return impl_->session.def;
+}
+std::uint64_t Game::contentHash() const {
+  return impl_->session.files.hash();
+}
+Camera Game::camera() const {
+  return impl_->track->camera();
+}
+const Hud& Game::hud() const {
+  return impl_->hud;
+}
+bool Game::isOver() const {
+  return impl_->stage.phase == Phase::GameOver || impl_->stage.phase == Phase::Checkpoint;
+}
+const RestartPoint& Game::checkpoint() const {
+  return impl_->stage.checkpoint;
+}
+const RestartPoint& Game::reached() const {
+  return impl_->stage.reached;
+}
+const std::vector<Event>& Game::events() const {
+  return impl_->session.events;
+}
+const std::vector<Problem>& Game::problems() const {
+  return impl_->session.problems;
+}
+const std::vector<std::string>& Game::soundNames() const {
+  return impl_->session.soundNames;
+}
+std::uint64_t Game::roomNumber() const {
+  return impl_->track->current().number();
+}
+std::int32_t Game::roomTicks() const {
+  return impl_->track->pace().ticks();
+}
+float Game::roomDistance() const {
+  return impl_->track->pace().distance();
+}
+std::int64_t Game::globalOrigin() const {
+  return impl_->track->globalOrigin();
+}
+std::uint32_t Game::totalBreaks() const {
+  return impl_->session.score.breaks;
+}
+std::uint32_t Game::totalCrashes() const {
+  return impl_->session.score.crashes;
+}
+std::uint32_t Game::totalQuarantined() const {
+  return impl_->session.score.quarantined;
+}
+const effects::EffectSet& Game::effects() const {
+  return impl_->session.effects;
+}
 
 void Game::copyFrame(FramePacket& packet) const {
   const Session& session = impl_->session;

@@ -1,5 +1,6 @@
-// game/sim/game.h - one game: rooms, obstacles, balls and score over a physics world per room. tick(input) is a function of the state and
-// the input: no clock, no window, no sound, no picture. Used by the program, the view (through FramePacket) and smoke scripts.
+// game/sim/game.h - one game: rooms, obstacles, balls and score over a physics world per room. tick(input) is a
+// function of the state and the input: no clock, no window, no sound, no picture. Used by the program, the view
+// (through FramePacket) and smoke scripts.
 #pragma once
 
 #include <cstdint>
@@ -26,24 +27,44 @@ namespace brittle::sim {
 enum class Mode : std::uint8_t { Training = 0, Classic = 1, Mayhem = 2, Zen = 3, Versus = 4, Coop = 5 };
 
 struct GameDef {
-  std::string level = "first";         // levels/NAME.xml
-  std::uint64_t seed = 1;              // of every random choice
+  std::string level = "first";  // levels/NAME.xml
+  std::uint64_t seed = 1;       // of every random choice
   physics::Accuracy accuracy;
   Mode mode = Mode::Classic;
-  std::uint32_t firstRoom = 0;         // start at this room of the level
-  std::int64_t startOffset = 0;        // global place of the first room [2^-8 m]; nothing but what is shown depends on it
+  std::uint32_t firstRoom = 0;  // start at this room of the level
+  std::int32_t balls = 25;      // to start with: of a checkpoint those stored for it
+  std::int32_t streak = 0;
+  float distance = 0.0f;         // as displayed at the level's first room: of the levels before
+  bool title = false;            // wait for a touch before the first room begins
+  std::int64_t startOffset = 0;  // global place of the first room [2^-8 m]; nothing but what is shown depends on it
+};
+
+/// Where a game can be taken up: at the door of a room, with these counts.
+struct RestartPoint {
+  std::uint32_t room = 0;  // of the level; past the last one: the level is done
+  std::int32_t balls = 0;
+  std::int32_t streak = 0;
+  float distance = 0.0f;  // as displayed
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(room);
+    a(balls);
+    a(streak);
+    a(distance);
+  }
 };
 
 /// Something wrong with the content, found while loading or playing. The game goes on.
 struct Problem {
-  std::string text;                    // "file:line: what, value, expected"
+  std::string text;  // "file:line: what, value, expected"
   std::uint64_t tick = 0;
 };
 
 class Game {
  public:
-  /// Loads the level and its first room. Fails, with one line, if there is no such level or it has no rooms. `assets` must outlive the
-  /// game. The same definition and the same assets give the same game.
+  /// Loads the level and its first room. Fails, with one line, if there is no such level or it has no rooms. `assets`
+  /// must outlive the game. The same definition and the same assets give the same game.
   static Result<std::unique_ptr<Game>> create(const content::AssetSource& assets, const GameDef& def);
   ~Game();
   Game(const Game&) = delete;
@@ -58,7 +79,8 @@ class Game {
   /// The same of the room the camera is in only, relative to that room: independent of what was played before it.
   std::uint64_t roomHash() const;
   void save(ByteWriter& out) const;
-  /// False if the bytes are not a snapshot of this version, level and content; the game is then unusable until a good restore.
+  /// False if the bytes are not a snapshot of this version, level and content; the game is then unusable until a good
+  /// restore.
   bool restore(ByteReader& in);
   /// Level, seed, mode and accuracy as created.
   const GameDef& def() const;
@@ -68,20 +90,26 @@ class Game {
   // Looking.
   Camera camera() const;
   const Hud& hud() const;
-  bool isOver() const;                              // out of balls, or the level's last room is done
-  const std::vector<Event>& events() const;         // of the last tick
+  bool isOver() const;  // out of balls, or the level's last room is done
+  /// The last checkpoint passed; the start of the game before there is one.
+  const RestartPoint& checkpoint() const;
+  /// The room reached last, and how: what to save for a game that is broken off. In zen the start of the game.
+  const RestartPoint& reached() const;
+  const std::vector<Event>& events() const;  // of the last tick
   const std::vector<Problem>& problems() const;
   const std::vector<std::string>& soundNames() const;
-  std::uint64_t roomNumber() const;                 // of the room the camera is in
-  float roomDistance() const;                       // of the camera from that room's start [m]
-  std::int64_t globalOrigin() const;                // of that room [2^-8 m]
-  std::uint32_t totalBreaks() const;                // breakings since the start
+  std::uint64_t roomNumber() const;   // of the room the camera is in
+  std::int32_t roomTicks() const;     // since that room was entered
+  float roomDistance() const;         // of the camera from that room's start [m]
+  std::int64_t globalOrigin() const;  // of that room [2^-8 m]
+  std::uint32_t totalBreaks() const;  // breakings since the start
   std::uint32_t totalCrashes() const;
-  std::uint32_t totalQuarantined() const;           // bodies removed because a number in them was not finite: must stay 0
+  std::uint32_t totalQuarantined() const;  // bodies removed because a number in them was not finite: must stay 0
 
   /// Copies out all that the picture needs; reuses the packet's memory.
   void copyFrame(FramePacket& packet) const;
-  /// The mesh pool of room slot 0 or 1, or null if there is no room in it. The renderer mirrors it and clears its dirty ranges.
+  /// The mesh pool of room slot 0 or 1, or null if there is no room in it. The renderer mirrors it and clears its dirty
+  /// ranges.
   geometry::MeshPool* meshes(std::uint32_t slot);
   /// What the rooms alive demand, with who asked.
   const effects::EffectSet& effects() const;

@@ -16,10 +16,12 @@ Result<std::vector<RoomEntry>> loadLevel(Session& session, const std::string& na
     RoomEntry entry;
     entry.type = room.type;
     entry.displayLength = room.length;
+    entry.endsAtCheckpoint = room.end;
     entry.attributes = room.attributes;
     entry.where = file + ":" + std::to_string(room.line);
     entries.push_back(std::move(entry));
   }
+  if (!entries.empty()) entries.back().endsAtCheckpoint = true;
   if (entries.empty()) return Error{file + ": no rooms, expected at least one <room type=...>"};
   return entries;
 }
@@ -35,7 +37,7 @@ void readAhead(Session& session, const std::vector<RoomEntry>& entries) {
 std::uint64_t roomSeed(const Session& session, const RoomEntry& entry, std::uint64_t number) {
   const auto said = entry.attributes.find("seed");
   if (said != entry.attributes.end()) return hashBytes(said->second.data(), said->second.size());
-  return mixSeed(session.def.seed, number);
+  return mixSeed(session.def.mode == Mode::Training ? rules::kTrainingSeed : session.def.seed, number);
 }
 
 }  // namespace brittle::sim

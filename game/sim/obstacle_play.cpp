@@ -1,4 +1,6 @@
-// The calls of obstacle scripts about the game itself: crystals, cleared obstacles, buttons, lasers, sound, time and parameters.
+// The calls of obstacle scripts about the game itself: crystals, cleared obstacles, buttons, lasers, sound, time and
+// parameters.
+#include <cmath>
 #include <vector>
 
 #include "engine/geometry/make.h"
@@ -16,7 +18,9 @@ void score(script::Call& call, Obstacle& obstacle) {
   if (!call.failed()) obstacle.crystal = clampTo(worth, 0, 100);
 }
 
-void clear(script::Call&, Obstacle& obstacle) { obstacle.room->clearObstacle(obstacle); }
+void clear(script::Call&, Obstacle& obstacle) {
+  obstacle.room->clearObstacle(obstacle);
+}
 
 void createButton(script::Call& call, Obstacle& obstacle) {
   const Vec3 position = readVector(call, 1);
@@ -43,7 +47,8 @@ void createButton(script::Call& call, Obstacle& obstacle) {
 ScriptButton* readButton(script::Call& call, Obstacle& obstacle) {
   const int number = call.integer(1);
   if (call.failed()) return nullptr;
-  if (number >= 1 && number <= static_cast<int>(obstacle.buttons.size())) return &obstacle.buttons[static_cast<std::size_t>(number) - 1];
+  if (number >= 1 && number <= static_cast<int>(obstacle.buttons.size()))
+    return &obstacle.buttons[static_cast<std::size_t>(number) - 1];
   call.fail("no button " + std::to_string(number));
   return nullptr;
 }
@@ -81,8 +86,10 @@ void laser(script::Call& call, Obstacle& obstacle) {
 void getBeat(script::Call& call, Obstacle& obstacle) {
   const float ease = clampTo(call.real(1, 0.3f), 0.01f, 1.0f);
   if (call.failed()) return;
-  const float beats = static_cast<float>(obstacle.room->ticks()) / rules::kBeatTicks;
-  const float whole = static_cast<float>(static_cast<int>(beats));
+  // Of the music, which begins with the room: negative before the camera is in it.
+  const std::int32_t ticks = obstacle.room->viewpoint().ticks;
+  const float beats = static_cast<float>(ticks) / rules::kBeatTicks;
+  const float whole = std::floor(beats);
   const float ramp = clampTo((beats - whole) / ease, 0.0f, 1.0f);
   call.result(whole - 1.0f + ramp * ramp * (3.0f - 2.0f * ramp));
 }
@@ -102,7 +109,8 @@ void getNumber(script::Call& call, Obstacle& obstacle) {
   if (said && *said > -1e9 && *said < 1e9) {
     number = *said;
   } else if (text != nullptr)
-    obstacle.room->session().report(obstacle.def->where + ": parameter " + call.string(1) + "=" + *text + ": expected a number");
+    obstacle.room->session().report(obstacle.def->where + ": parameter " + call.string(1) + "=" + *text +
+                                    ": expected a number");
   call.result(whole ? static_cast<double>(static_cast<std::int64_t>(clampTo(number, -1e9, 1e9))) : number);
 }
 
@@ -163,8 +171,11 @@ void addParameterCalls(script::Library& library) {
 }
 
 void addTimeCalls(script::Library& library) {
-  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.room->ticks()) * rules::kTickSeconds); });
-  addCall(library, "mgObstacleTime", [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.ticks) * rules::kTickSeconds); });
+  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) {
+    call.result(static_cast<float>(o.room->ticks()) * rules::kTickSeconds);
+  });
+  addCall(library, "mgObstacleTime",
+          [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.ticks) * rules::kTickSeconds); });
   addCall(library, "mgGetBeat", getBeat);
 }
 
@@ -182,7 +193,8 @@ void addPlayCalls(script::Library& library) {
   addParameterCalls(library);
   addTimeCalls(library);
   // Only seen or heard, and not shown yet: accepted so that the levels that use them play.
-  for (const char* name : {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgGlow", "mgSmoke", "mgBodyDecal"})
+  for (const char* name :
+       {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgGlow", "mgSmoke", "mgBodyDecal"})
     addCall(library, name, [](script::Call&, Obstacle&) {});
 }
 

@@ -5,39 +5,52 @@
 
 namespace brittle::sim {
 
-static_assert(rules::kRoomTicks == 1920, "Pace counts in this many steps per room");
-
 float allowedLength(float length) {
   const float clamped = clampTo(isFinite(length) ? length : rules::kDefaultRoomLength, 8.0f, 4000.0f);
   return static_cast<float>(static_cast<std::int32_t>(clamped * 256.0f + 0.5f)) * rules::kLengthStep;
 }
 
-std::int64_t Pace::toUnits(float length) { return static_cast<std::int64_t>(allowedLength(length) * 65536.0f); }
-
-std::int64_t Pace::nextRoomAt() const { return length_ - static_cast<std::int64_t>(rules::kNextRoomAhead * 65536.0f); }
+std::int64_t Pace::toUnits(float length) {
+  return static_cast<std::int64_t>(allowedLength(length) * 65536.0f);
+}
 
 void Pace::startBefore(float length) {
-  length_ = glide_ = toUnits(length);
-  const std::int64_t goal = nextRoomAt();
-  const std::int64_t ticks = goal < 0 ? 1 : goal * kSteps / glide_ + 1;  // the first tick beyond the goal
-  distance_ = ticks * glide_;
+  length_ = glide_ = step_ = toUnits(length);
+  ticks_ = 0;
+  while (!nextRoomDue()) ++ticks_;
 }
 
 void Pace::enterRoom(float length) {
-  distance_ -= length_ * kSteps;
   length_ = toUnits(length);
+  ticks_ = 0;
 }
 
 void Pace::tick() {
-  const std::int64_t difference = length_ - glide_;
-  std::int64_t step = difference / rules::kPaceShift;
-  if (step == 0 && difference != 0) step = difference > 0 ? 1 : -1;  // arrives exactly, so that rooms of one length are all alike
-  glide_ += step;
-  distance_ += glide_;
+  const std::int64_t before = place();
+  const std::int64_t left = rules::kRoomTicks - ticks_;
+  // The last tick takes what is left of the difference: the camera stands in the door to the bit, and the next room
+  // begins at 0.
+  glide_ += (length_ - glide_) / clampTo<std::int64_t>(left, 1, rules::kPaceShift);
+  ++ticks_;
+  step_ = place() - before;
 }
 
-float Pace::distance() const { return static_cast<float>(static_cast<double>(distance_) / (65536.0 * kSteps)); }
-float Pace::roomLength() const { return static_cast<float>(length_) / 65536.0f; }
-float Pace::speed() const { return static_cast<float>(static_cast<double>(glide_) / (65536.0 * 32.0)); }
+bool Pace::atDoor() const {
+  return ticks_ >= rules::kRoomTicks;
+}
+
+bool Pace::nextRoomDue() const {
+  return distance() > roomLength() - rules::kNextRoomAhead || ticks_ > rules::kNextRoomTicks;
+}
+
+float Pace::distance() const {
+  return static_cast<float>(static_cast<double>(place()) / (65536.0 * rules::kRoomTicks));
+}
+float Pace::roomLength() const {
+  return static_cast<float>(length_) / 65536.0f;
+}
+float Pace::speed() const {
+  return static_cast<float>(static_cast<double>(step_) * rules::kTickRate / (65536.0 * rules::kRoomTicks));
+}
 
 }  // namespace brittle::sim

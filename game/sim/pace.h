@@ -1,5 +1,7 @@
-// game/sim/pace.h - how far the camera is along its room. Whole numbers, so that nothing drifts: the same room takes the same ticks and
-// stands at the same places wherever it lies along the game. Knows no world and no script.
+// game/sim/pace.h - how far the camera is along its room. A room lasts 32 s whatever its length: the distance is the
+// time in the room times the room's length over 32 s, and the length glides over from that of the room before. Whole
+// numbers, so that nothing drifts: the same room takes the same ticks and stands at the same places wherever it lies
+// along the game. Knows no world and no script.
 #pragma once
 
 #include <cstdint>
@@ -8,36 +10,41 @@ namespace brittle::sim {
 
 class Pace {
  public:
-  /// Starts in an empty room of `length` [m] at the tick at which a room after it would be made, so that the first room of a game is
-  /// entered exactly as every later one.
+  /// Starts in an empty room of `length` [m] at the tick at which a room after it would be made, so that the first room
+  /// of a game is entered exactly as every later one.
   void startBefore(float length);
-  /// The room after the door: what was gone too far is kept, the speed glides.
+  /// The room after the door; the speed glides. Only at the door.
   void enterRoom(float length);
+  /// At the door at most until enterRoom.
   void tick();
 
   /// Of the camera from the room's start [m].
   float distance() const;
-  float roomLength() const;                       // [m], a multiple of 2^-8
-  float speed() const;                            // [m/s]
-  bool atDoor() const { return distance_ >= length_ * kSteps; }
+  float roomLength() const;  // [m], a multiple of 2^-8
+  float speed() const;       // of the last tick [m/s]
+  /// Ticks since the room was entered: the clock that music and beats follow.
+  std::int32_t ticks() const { return ticks_; }
+  bool atDoor() const;
   /// Whether the room after this one is to be made.
-  bool nextRoomDue() const { return distance_ > nextRoomAt() * kSteps; }
+  bool nextRoomDue() const;
   std::int64_t lengthUnits() const { return length_ >> 8; }  // [2^-8 m]
 
   template <class Archive>
   void serialize(Archive& a) {
     a(length_);
     a(glide_);
-    a(distance_);
+    a(step_);
+    a(ticks_);
   }
 
  private:
   static std::int64_t toUnits(float length);
-  std::int64_t nextRoomAt() const;                // [2^-16 m]
-  static constexpr std::int64_t kSteps = 1920;    // ticks per room
-  std::int64_t length_ = 0;                       // [2^-16 m]
-  std::int64_t glide_ = 0;                        // smoothed length [2^-16 m]
-  std::int64_t distance_ = 0;                     // [2^-16 / 1920 m]: one tick adds `glide_`
+  std::int64_t place() const { return glide_ * ticks_; }  // [2^-16 / 1920 m]
+
+  std::int64_t length_ = 0;  // [2^-16 m]
+  std::int64_t glide_ = 0;   // smoothed length [2^-16 m]
+  std::int64_t step_ = 0;    // way of the last tick [2^-16 / 1920 m]
+  std::int32_t ticks_ = 0;
 };
 
 /// The nearest length the rules allow: a multiple of 2^-8 in [8, 4000]. [m]

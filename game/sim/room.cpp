@@ -21,8 +21,13 @@ physics::WorldDef worldDef(const Session& session, std::uint64_t seed, float gra
 }  // namespace
 
 Room::Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::uint32_t slot)
-    : session_(session), entry_(entry), number_(number), slot_(slot), seed_(roomSeed(session, entry, number)),
-      globalsBefore_(session.globals), plan_(planRoom(session, entry_, seed_, session.globals)),
+    : session_(session),
+      entry_(entry),
+      number_(number),
+      slot_(slot),
+      seed_(roomSeed(session, entry, number)),
+      globalsBefore_(session.globals),
+      plan_(planRoom(session, entry_, seed_, session.globals)),
       world_(std::make_unique<physics::World>(worldDef(session, seed_, plan_.settings.gravity))),
       built_(plan_.segments.size()) {
   for (const ObstacleDef& def : plan_.obstacles) {
@@ -35,11 +40,12 @@ Room::Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::
   }
 }
 
-void Room::tick(float distance, float speed) {
+void Room::tick(float distance, float speed, std::int32_t ticks) {
   BR_ZONE("room");
   updateShift(distance);
   viewpoint_.position = Vec3(0.0f, rules::kCameraHeight, shift_ - distance);
   viewpoint_.speed = speed;
+  viewpoint_.ticks = ticks;
   shake_ = shake_ > 0.01f ? shake_ * 0.92f : 0.0f;
   buildSegments(distance);
   startObstacles(distance);
@@ -52,7 +58,9 @@ void Room::tick(float distance, float speed) {
 }
 
 void Room::updateShift(float distance) {
-  const float wanted = distance <= 0.0f ? 0.0f : static_cast<float>(static_cast<int>(distance / rules::kShiftEvery)) * rules::kShiftEvery;
+  const float wanted = distance <= 0.0f
+                           ? 0.0f
+                           : static_cast<float>(static_cast<int>(distance / rules::kShiftEvery)) * rules::kShiftEvery;
   if (wanted == shift_) return;
   world_->shiftOrigin(Vec3(0.0f, 0.0f, shift_ - wanted));
   shift_ = wanted;

@@ -1,6 +1,7 @@
-// game/sim/room.h - one room and its physics world. Its coordinates: the room's frame has its start at z = 0 and runs along -Z; the local
-// frame (of the world, of what is shown) is that plus (0, 0, shift), which keeps the camera near the origin. A room's state depends on its
-// content, its seed and what happens in it: not on where it lies, nor on what was played before it.
+// game/sim/room.h - one room and its physics world. Its coordinates: the room's frame has its start at z = 0 and runs
+// along -Z; the local frame (of the world, of what is shown) is that plus (0, 0, shift), which keeps the camera near
+// the origin. A room's state depends on its content, its seed and what happens in it: not on where it lies, nor on what
+// was played before it.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,9 @@ class Room {
   /// Runs the room's script. `globals` is what mgGet sees and mgSet changes while it runs.
   Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::uint32_t slot);
 
-  /// One tick with the camera `distance` [m] from the room's start (negative: before it), moving at `speed` [m/s].
-  void tick(float distance, float speed);
+  /// One tick with the camera `distance` [m] from the room's start (negative: before it), moving at `speed` [m/s],
+  /// `ticks` after it entered the room.
+  void tick(float distance, float speed, std::int32_t ticks);
   void throwBalls(const Camera& camera, const replay::Throw& aim, int count);
   /// Balls that have left through the end of the room, taken out of it; in the frame of the next room.
   std::vector<BallStart> takeLeavingBalls();
@@ -107,7 +109,7 @@ class Room {
 
   // State.
   std::uint32_t ticks_ = 0;
-  float shift_ = 0.0f;                       // [m], a multiple of rules::kShiftEvery
+  float shift_ = 0.0f;  // [m], a multiple of rules::kShiftEvery
   float shake_ = 0.0f;
   Viewpoint viewpoint_;
   std::vector<BuiltSegment> built_;

@@ -1,5 +1,5 @@
-// game/sim/room_plan.h - a room as its script laid it out: segments, obstacles and settings. A function of the content, the room's seed
-// and the global strings, so a snapshot need not hold it.
+// game/sim/room_plan.h - a room as its script laid it out: segments, obstacles and settings. A function of the content,
+// the room's seed and the global strings, so a snapshot need not hold it.
 #pragma once
 
 #include <cstdint>
@@ -17,47 +17,50 @@
 namespace brittle::sim {
 
 struct SolidBox {
-  Vec3 center = Vec3::Zero();                // segment frame [m]
+  Vec3 center = Vec3::Zero();  // segment frame [m]
   Vec3 halfExtents = Vec3::Ones();
 };
 
 struct PlannedSegment {
   std::shared_ptr<const SegmentLook> look;
   std::vector<SolidBox> solids;
-  float start = 0.0f;                        // of its frame, from the room's start along -Z [m]
+  float start = 0.0f;  // of its frame, from the room's start along -Z [m]
 };
 
 struct RoomSettings {
-  float length = 0.0f;                       // as declared [m]
+  float length = 0.0f;  // as declared [m]
   Vec3 fogBottom = Vec3(0.2f, 0.25f, 0.3f), fogTop = Vec3(0.6f, 0.7f, 0.8f);
   float reverb[3] = {0, 0, 0};
   float echo[4] = {0, 0, 0, 0};
   float lowPass = 0.0f;
   std::string music, particles;
-  float gravity = 1.0f;                      // times rules::kGravity
-  float turns = 0.0f;                        // camera roll over the room [turns]
-  float turnAngle = 0.0f;                    // 0: spins; else it swings between plus and minus this [rad]
+  float gravity = 1.0f;    // times rules::kGravity
+  float turns = 0.0f;      // camera roll over the room [turns]
+  float turnAngle = 0.0f;  // 0: spins; else it swings between plus and minus this [rad]
   float difficulty = 0.5f;
 };
 
 struct RoomPlan {
   RoomSettings settings;
   std::vector<PlannedSegment> segments;
-  std::deque<ObstacleDef> obstacles;         // addresses stay
+  std::deque<ObstacleDef> obstacles;  // addresses stay
 };
 
 /// One room of a level as its file names it; `attributes` are readable from the script.
 struct RoomEntry {
-  std::string type;                          // rooms/TYPE.lua
-  float displayLength = 100.0f;              // what it counts for in the displayed distance
+  std::string type;              // rooms/TYPE.lua
+  float displayLength = 100.0f;  // what it counts for in the displayed distance
+  bool endsAtCheckpoint = false;
   std::map<std::string, std::string> attributes;
-  std::string where;                         // "file:line"
+  std::string where;  // "file:line"
 };
 
 /// Runs the room's script. What fails is reported to the session and the rest of the room stays empty.
-RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed, std::map<std::string, std::string>& globals);
+RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
+                  std::map<std::string, std::string>& globals);
 
-/// Appends a segment of the content at `start` [m] with the obstacles it holds; its length, or 0 if it cannot be read (reported).
+/// Appends a segment of the content at `start` [m] with the obstacles it holds; its length, or 0 if it cannot be read
+/// (reported).
 float placeSegment(Session& session, const std::string& name, float start, RoomPlan& plan);
 
 }  // namespace brittle::sim

@@ -10,6 +10,7 @@ void Room::serialize(Archive& a) {
   a(shake_);
   a(viewpoint_.position);
   a(viewpoint_.speed);
+  a(viewpoint_.ticks);
   for (BuiltSegment& segment : built_) a(segment);
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) a(*obstacle);
   a.vector(balls_);
@@ -50,6 +51,7 @@ bool Room::restore(ByteReader& in) {
 void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   const RoomSettings& settings = plan_.settings;
   view.number = number_;
+  view.ticks = viewpoint_.ticks;
   view.slot = slot_;
   view.fogBottom = settings.fogBottom;
   view.fogTop = settings.fogTop;
@@ -67,7 +69,8 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   });
   for (const Ball& ball : balls_) {
     const Transform& pose = world_->body(ball.body).pose;
-    balls.push_back({ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius});
+    balls.push_back(
+        {ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius});
   }
   view.crumbs.clear();
   for (const physics::Crumb& crumb : world_->debris().crumbs)
@@ -98,10 +101,12 @@ void Room::copyRopes(RoomView& view) const {
       const physics::Joint& joint = world_->joint(handle);
       if (joint.type != physics::JointType::Rope) continue;
       const Vec3 a = world_->body(world_->bodyOf(joint.a)).pose.toWorld(joint.localAnchorA);
-      const Vec3 b = joint.b ? world_->body(world_->bodyOf(joint.b)).pose.toWorld(joint.localAnchorB) : joint.localAnchorB;
+      const Vec3 b =
+          joint.b ? world_->body(world_->bodyOf(joint.b)).pose.toWorld(joint.localAnchorB) : joint.localAnchorB;
       view.ropes.push_back({Vec3(a + frameOffset_), Vec3(b + frameOffset_)});
     }
-    for (const auto& [from, to] : obstacle->beams) view.beams.push_back({Vec3(from + frameOffset_), Vec3(to + frameOffset_)});
+    for (const auto& [from, to] : obstacle->beams)
+      view.beams.push_back({Vec3(from + frameOffset_), Vec3(to + frameOffset_)});
   }
 }
 

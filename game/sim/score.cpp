@@ -5,7 +5,9 @@
 
 namespace brittle::sim {
 
-int Score::ballsPerThrow() const { return minOf(rules::kMaxVolley, streak / rules::kStreakPerBall + 1); }
+int Score::ballsPerThrow() const {
+  return minOf(rules::kMaxVolley, streak / rules::kStreakPerBall + 1);
+}
 
 bool Score::spendThrow() {
   if (over) return false;
@@ -28,13 +30,14 @@ int Score::crash() {
   ++crashes;
   pain = rules::kPainTicks;
   crashPause = rules::kCrashPause;
+  over = over || (!free && balls == 0);
   return cost;
 }
 
 void Score::tick() {
   if (pain > 0) --pain;
   if (crashPause > 0) --crashPause;
-  // The last ball may still win some back.
+  // A ball that was thrown last may still win some back.
   outTicks = !free && balls <= 0 ? outTicks + 1 : 0;
   if (outTicks > rules::kLastBallTicks) over = true;
 }

@@ -7,16 +7,16 @@ namespace brittle::sim {
 
 struct Score {
   std::int32_t balls = 0;
-  std::int32_t streak = 0;             // crystals broken one after another
-  std::int32_t pain = 0;               // ticks the red border still shows
-  std::int32_t crashPause = 0;         // ticks until the next crash counts
-  std::uint32_t crashes = 0;           // since the start
-  std::uint32_t breaks = 0;            // things broken since the start
+  std::int32_t streak = 0;      // crystals broken one after another
+  std::int32_t pain = 0;        // ticks the red border still shows
+  std::int32_t crashPause = 0;  // ticks until the next crash counts
+  std::uint32_t crashes = 0;    // since the start
+  std::uint32_t breaks = 0;     // things broken since the start
   std::uint32_t crystals = 0;
-  std::uint32_t cleared = 0;           // obstacles
-  std::uint32_t quarantined = 0;       // bodies removed because a number in them was not finite
-  std::int32_t outTicks = 0;           // since the last ball was thrown
-  bool free = false;                   // balls are not counted (zen)
+  std::uint32_t cleared = 0;      // obstacles
+  std::uint32_t quarantined = 0;  // bodies removed because a number in them was not finite
+  std::int32_t outTicks = 0;      // since the last ball was thrown
+  bool free = false;              // balls are not counted (zen)
   bool over = false;
 
   int ballsPerThrow() const;
@@ -26,7 +26,7 @@ struct Score {
   void missCrystal() { streak = 0; }
   /// Whether the camera may crash now.
   bool canCrash() const { return crashPause == 0; }
-  /// Returns the balls it cost.
+  /// Returns the balls it cost. Without any left the game is over.
   int crash();
   /// Once per tick, at its end.
   void tick();

@@ -1,4 +1,5 @@
-// game/sim/session.h - what the rooms of one game share: the assets, the definition, and where events, problems and demands go.
+// game/sim/session.h - what the rooms of one game share: the assets, the definition, and where events, problems and
+// demands go.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +21,26 @@ namespace brittle::sim {
 struct Viewpoint {
   Vec3 position = Vec3(0.0f, rules::kCameraHeight, 0.0f);  // [m]
   float speed = 0.0f;                                      // along -Z [m/s]
+  std::int32_t ticks = 0;                                  // since it entered the room, negative before
 };
 
 struct Session {
-  Session(const content::AssetSource& assets, const GameDef& gameDef) : files(assets), def(gameDef) { takeFileProblems(); }
+  Session(const content::AssetSource& assets, const GameDef& gameDef) : files(assets), def(gameDef) {
+    takeFileProblems();
+  }
 
   ContentReader files;
   GameDef def;
   Score score;
   std::uint64_t tick = 0;
-  std::vector<Event> events;                    // of this tick
-  std::vector<Problem> problems;                // each text once
+  std::vector<Event> events;      // of this tick
+  std::vector<Problem> problems;  // each text once
   std::set<std::string> reported;
   effects::EffectSet effects;
   std::vector<std::string> soundNames;
-  std::map<std::string, std::string> globals;   // of mgGet and mgSet
+  std::map<std::string, std::string> globals;  // of mgGet and mgSet
 
-  int ballCap() const { return def.mode == Mode::Training ? rules::kTrainingBallCap : 999; }
+  int ballCap() const { return def.mode == Mode::Training ? rules::kTrainingBallCap : rules::kBallCap; }
   void report(const std::string& text) {
     if (reported.size() >= rules::kMaxProblems || !reported.insert(text).second) return;
     problems.push_back({text, tick});

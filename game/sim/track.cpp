@@ -23,23 +23,26 @@ std::unique_ptr<Room> Track::makeRoom(std::uint64_t number) {
   return std::make_unique<Room>(session_, entries_[index], number, static_cast<std::uint32_t>(number & 1));
 }
 
-void Track::tick(const replay::InputFrame& input) {
-  if (!session_.score.over && !done_) pace_.tick();
+void Track::tick(const replay::InputFrame& input, bool isMoving) {
+  isMoving_ = isMoving;
+  if (isMoving) pace_.tick();
   makeNext();
-  throwBalls(input);
+  if (isMoving) throwBalls(input);
   tickRooms();
   moveBalls();
+  if (!isMoving) return;
   current_->crashTest();
-  if (pace_.atDoor() && !done_) {
-    if (next_) {
-      enterNext();
-    } else {
-      done_ = true;
-      Event event;
-      event.type = EventType::LevelDone;
-      session_.events.push_back(event);
-    }
-  }
+  if (pace_.atDoor()) passDoor();
+}
+
+void Track::passDoor() {
+  Event event;
+  event.point = Vec3(0.0f, rules::kCameraHeight, current_->shift() - pace_.distance());
+  event.type = EventType::Checkpoint;
+  event.value = session_.score.balls;
+  if (current_->entry().endsAtCheckpoint) session_.events.push_back(event);
+  if (next_) return enterNext();
+  done_ = true;
 }
 
 void Track::makeNext() {
@@ -55,11 +58,12 @@ void Track::throwBalls(const replay::InputFrame& input) {
 }
 
 void Track::tickRooms() {
-  if (current_) current_->tick(pace_.distance(), pace_.speed());
+  const float speed = isMoving_ ? pace_.speed() : 0.0f;
+  if (current_) current_->tick(pace_.distance(), speed, pace_.ticks());
   if (!next_) return;
   const float shift = current_ ? current_->shift() : 0.0f;
   next_->setFrameOffset(Vec3(0.0f, 0.0f, shift - pace_.roomLength()));
-  next_->tick(pace_.distance() - pace_.roomLength(), pace_.speed());
+  next_->tick(pace_.distance() - pace_.roomLength(), speed, pace_.ticks() - rules::kRoomTicks);
 }
 
 void Track::moveBalls() {
@@ -85,7 +89,7 @@ void Track::enterNext() {
 Camera Track::camera() const {
   Camera camera;
   camera.position = Vec3(0.0f, rules::kCameraHeight, current_->shift() - pace_.distance());
-  camera.velocity = Vec3(0.0f, 0.0f, session_.score.over || done_ ? 0.0f : -pace_.speed());
+  camera.velocity = Vec3(0.0f, 0.0f, isMoving_ && !done_ ? -pace_.speed() : 0.0f);
   camera.halfWidthTangent = rules::kHalfWidthTangent;
   camera.near = rules::kNear;
   camera.far = rules::kFar;
@@ -93,14 +97,15 @@ Camera Track::camera() const {
   if (settings.turns != 0.0f) {
     const float progress = pace_.distance() / pace_.roomLength();
     const float angle = 2.0f * kPi * settings.turns * progress;
-    camera.rotation = rotationAbout(Vec3::UnitZ(), settings.turnAngle != 0.0f ? settings.turnAngle * sine(angle) : angle);
+    camera.rotation =
+        rotationAbout(Vec3::UnitZ(), settings.turnAngle != 0.0f ? settings.turnAngle * sine(angle) : angle);
   }
   return camera;
 }
 
 float Track::displayedDistance() const {
-  float distance = 0.0f;
-  for (std::uint64_t i = firstRoom_; i < firstRoom_ + number_ && i < entries_.size(); ++i) distance += entries_[i].displayLength;
+  float distance = session_.def.distance;
+  for (std::uint64_t i = 0; i < roomIndex() && i < entries_.size(); ++i) distance += entries_[i].displayLength;
   return distance + current_->entry().displayLength * minOf(1.0f, pace_.distance() / pace_.roomLength());
 }
 
@@ -113,7 +118,8 @@ std::uint64_t Track::roomHash() const {
 }
 
 std::uint64_t Track::stateHash() const {
-  const std::uint64_t parts[4] = {roomHash(), next_ ? next_->stateHash() : 0, number_, done_ ? 1u : 0u};
+  const std::uint64_t flags = (done_ ? 1u : 0u) | (isMoving_ ? 2u : 0u);
+  const std::uint64_t parts[4] = {roomHash(), next_ ? next_->stateHash() : 0, number_, flags};
   return hashBytes(parts, sizeof(parts));
 }
 
@@ -129,6 +135,7 @@ void Track::save(ByteWriter& out) const {
   out.write(origin_);
   out.write(number_);
   out.write(done_);
+  out.write(isMoving_);
   out.write(next_ != nullptr);
   current_->save(out);
   if (next_) next_->save(out);
@@ -152,6 +159,7 @@ bool Track::restore(ByteReader& in) {
   origin_ = in.read<std::int64_t>();
   number_ = in.read<std::uint64_t>();
   done_ = in.read<bool>();
+  isMoving_ = in.read<bool>();
   const bool hasNext = in.read<bool>();
   if (!in.ok()) return false;
   std::unique_ptr<Room> current = restoreRoom(in, number_);

@@ -1,5 +1,5 @@
-// game/sim/track.h - the rooms the camera passes: the one it is in and the next one, each in a world of its own. Balls cross from one
-// into the other; all else stays in its room.
+// game/sim/track.h - the rooms the camera passes: the one it is in and the next one, each in a world of its own. Balls
+// cross from one into the other; all else stays in its room.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ class Track {
   /// Enters the first room: it has been played, without the player, from where every room begins to be played.
   Track(Session& session, std::vector<RoomEntry> entries, std::uint32_t firstRoom, std::int64_t startOffset);
 
-  void tick(const replay::InputFrame& input);
+  /// With `isMoving` false the camera stands, and nothing can be thrown.
+  void tick(const replay::InputFrame& input, bool isMoving);
 
   Camera camera() const;
   const Pace& pace() const { return pace_; }
@@ -25,9 +26,12 @@ class Track {
   const Room& current() const { return *current_; }
   Room* next() { return next_.get(); }
   const Room* next() const { return next_.get(); }
-  std::int64_t globalOrigin() const { return origin_; }   // of the current room [2^-8 m]
+  std::int64_t globalOrigin() const { return origin_; }  // of the current room [2^-8 m]
   float displayedDistance() const;
   bool levelDone() const { return done_; }
+  /// Which of the level's the current room is, and how many there are.
+  std::uint32_t roomIndex() const { return firstRoom_ + static_cast<std::uint32_t>(number_); }
+  std::uint32_t roomCount() const { return static_cast<std::uint32_t>(entries_.size()); }
 
   std::uint64_t stateHash() const;
   std::uint64_t roomHash() const;
@@ -40,6 +44,7 @@ class Track {
   void tickRooms();
   void moveBalls();
   void enterNext();
+  void passDoor();
   void throwBalls(const replay::InputFrame& input);
   std::unique_ptr<Room> makeRoom(std::uint64_t number);
   std::unique_ptr<Room> restoreRoom(ByteReader& in, std::uint64_t number);
@@ -49,9 +54,10 @@ class Track {
   std::uint32_t firstRoom_;
   Pace pace_;
   std::int64_t origin_;
-  std::uint64_t number_ = 0;                 // of the current room, from the start of the game
+  std::uint64_t number_ = 0;  // of the current room, from the start of the game
   bool done_ = false;
-  std::unique_ptr<Room> current_, next_;     // before the first room is entered there is no current one
+  bool isMoving_ = true;                  // in the last tick
+  std::unique_ptr<Room> current_, next_;  // before the first room is entered there is no current one
 };
 
 }  // namespace brittle::sim

@@ -103,12 +103,23 @@ class CommandLine(unittest.TestCase):
         self.refused("play", says="no display here")
 
     def test_playing_off_screen_records_a_game_that_verifies(self):
-        environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy")
         with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
             game = Path(folder) / "game.brt"
             result = brittle("play", "--frames", "20", "--size", "160x90", "--record", game, env=environment)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(brittle("verify", game).returncode, 0)
+
+    def test_what_was_reached_is_kept_and_lines_that_are_none_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            kept = Path(folder) / "brittle" / "progress.txt"
+            kept.parent.mkdir()
+            kept.write_text("41 3 first\nnonsense\n")
+            result = brittle("play", "--frames", "2", "--size", "160x90", env=environment)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("progress.txt:2: nonsense: expected", result.stderr)
+            self.assertEqual(kept.read_text(), "41 3 first\n")
 
     def test_a_failed_expectation_is_an_answer_not_an_error(self):
         script = self.folder / "greedy.lua"

@@ -22,6 +22,10 @@ void serializeSettings(Archive& archive, sim::GameDef& def) {
   archive(def.firstRoom);
   archive(def.startOffset);
   archive(def.accuracy);
+  archive(def.balls);
+  archive(def.streak);
+  archive(def.distance);
+  archive(def.title);
 }
 
 std::string hex(std::uint64_t value) {

@@ -5,25 +5,45 @@
 #include "engine/replay/recorder.h"
 #include "engine/replay/replay_file.h"
 #include "engine/runtime/loop.h"
+#include "game/content/level.h"
 #include "platform/sdl/window.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/picture.h"
+#include "tools/brittle/saved.h"
 
 namespace brittle::program {
 namespace {
 
-/// The game in a window: ticks, draws, records. A restart begins a new game and a new recording.
+constexpr std::uint32_t kEndTicks = 60;  // the end is shown for a second before a touch goes on [ticks]
+
+/// The names of game.xml, which says what follows a level; none if it cannot be read.
+std::vector<std::string> levelNames(const content::AssetSource& assets) {
+  std::vector<std::string> names;
+  const Result<std::string> text = assets.read("game.xml");
+  if (!text) return names;
+  for (content::LevelEntry& entry : content::readGameList(*text, "game.xml").levels)
+    names.push_back(std::move(entry.name));
+  return names;
+}
+
+/// Games in a window, from title to checkpoint and on: ticks, draws, records. Each game is a recording of its own.
 class Player : public runtime::Client {
  public:
   Player(const content::AssetSource& assets, std::unique_ptr<GameSimulation> simulation, Picture& picture,
-         const PlayOptions& options)
-      : assets_(assets), simulation_(std::move(simulation)), picture_(picture), options_(options) {
+         const PlayOptions& options, sim::Progress& progress)
+      : assets_(assets),
+        simulation_(std::move(simulation)),
+        picture_(picture),
+        options_(options),
+        progress_(progress),
+        levels_(levelNames(assets)) {
     begin();
   }
 
   void tick(const replay::InputFrame& input) override {
-    if ((input.buttons & static_cast<std::uint8_t>(replay::Button::Restart)) != 0) restart();
+    if (wantsNext(input)) return next();
     simulation_->tick(input);
+    keepCheckpoint();
     if (recorder_) recorder_->record(input, *simulation_);
     picture_.ticked(simulation_->game());
   }
@@ -44,8 +64,18 @@ class Player : public runtime::Client {
     if (!options_.record.empty()) recorder_.emplace(startOf(simulation_->game()));
     picture_.ticked(simulation_->game());
   }
-  void restart() {
-    auto fresh = openGame(assets_, simulation_->game().def());
+  bool wantsNext(const replay::InputFrame& input) const {
+    const bool isAtEnd = game().isOver() && game().hud().phaseTicks > kEndTicks;
+    return (input.buttons & static_cast<std::uint8_t>(replay::Button::Restart)) != 0 ||
+           (isAtEnd && !input.throws.empty());
+  }
+  void keepCheckpoint() {
+    for (const sim::Event& event : game().events())
+      if (event.type == sim::EventType::Checkpoint)
+        progress_.pass(game().def().level, game().checkpoint().room, game().checkpoint().balls);
+  }
+  void next() {
+    auto fresh = openGame(assets_, sim::nextGame(game(), progress_, levels_));
     if (!fresh) return;  // the level was deleted while it was played: go on with this game
     simulation_ = std::move(*fresh);
     picture_.restarted();
@@ -56,6 +86,8 @@ class Player : public runtime::Client {
   std::unique_ptr<GameSimulation> simulation_;
   Picture& picture_;
   const PlayOptions& options_;
+  sim::Progress& progress_;
+  const std::vector<std::string> levels_;
   std::optional<replay::Recorder> recorder_;
   std::uint32_t frames_ = 0;
 };
@@ -76,10 +108,14 @@ int play(const PlayOptions& options) {
          "show a window"});
   const Result<Size> size = parseSize(options.size);
   if (!size) return refuse(size.error());
-  const Result<sim::GameDef> def = defOf(options.game);
+  Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
   const auto assets = openAssets(options.game.assets);
   if (!assets) return refuse(assets.error());
+  const std::string progressFile = progressPath();
+  sim::Progress progress = loadProgress(progressFile);
+  def->title = true;
+  def->balls = progress.ballsAt(def->level, def->firstRoom);
   auto simulation = openGame(**assets, *def);
   if (!simulation) return refuse(simulation.error());
   platform::WindowDef window;
@@ -89,12 +125,12 @@ int play(const PlayOptions& options) {
   const auto picture = Picture::create(**opened, 4);
   if (!picture) return refuse(picture.error());
 
-  Player player(**assets, std::move(*simulation), **picture, options);
+  Player player(**assets, std::move(*simulation), **picture, options, progress);
   runtime::Loop loop(**opened, player);
   while (loop.frame()) {
   }
-  const Status saved = player.saveRecording();
-  if (!saved) return refuse(saved.error());
+  for (const Status& saved : {player.saveRecording(), saveProgress(progress, progressFile)})
+    if (!saved) return refuse(saved.error());
   std::printf("%.0f metres, %d balls left\n", static_cast<double>(player.game().hud().distance),
               player.game().hud().balls);
   return kDone;

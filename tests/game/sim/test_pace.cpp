@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "game/sim/constants.h"
 
 namespace brittle::sim {
@@ -46,18 +48,36 @@ TEST(Pace, IdenticalRoomsAreWalkedIdentically) {
   }
 }
 
-TEST(Pace, SpeedGlidesAcrossADoorAndArrives) {
-  Pace pace = inRoom(100.0f);
-  while (!pace.atDoor()) pace.tick();
-  pace.enterRoom(200.0f);
-  float before = pace.speed();
-  for (int i = 0; i < 4000; ++i) {
-    pace.tick();
-    EXPECT_LE(before, pace.speed());
-    EXPECT_LT(pace.speed() - before, 0.02f);
-    before = pace.speed();
+TEST(Pace, SpeedGlidesAcrossADoor) {
+  for (const float length : {50.0f, 101.0f, 200.0f, 450.0f}) {
+    Pace pace = inRoom(100.0f);
+    while (!pace.atDoor()) pace.tick();
+    EXPECT_EQ(pace.distance(), 100.0f);
+    pace.enterRoom(length);
+    EXPECT_EQ(pace.distance(), 0.0f);
+    float before = pace.speed();
+    float place = 0.0f;
+    while (!pace.atDoor()) {
+      pace.tick();
+      EXPECT_LT(std::abs(pace.speed() - before), 0.02f * std::abs(length - 100.0f) / 32.0f + 1e-3f);
+      EXPECT_NEAR(pace.distance() - place, pace.speed() / 60.0f, 1e-4f);
+      before = pace.speed();
+      place = pace.distance();
+    }
+    EXPECT_EQ(pace.ticks(), rules::kRoomTicks) << length;  // 32 s also while it glides
+    EXPECT_EQ(pace.distance(), length);
+    EXPECT_NEAR(pace.speed(), length / 32.0f, 0.05f);
   }
-  EXPECT_EQ(pace.speed(), 6.25f);
+}
+
+TEST(Pace, TheNextRoomIsDueThirtyMetresBeforeTheDoorOrAfterTwentyEightSeconds) {
+  for (const float length : {100.0f, 200.0f, 450.0f}) {
+    Pace pace = inRoom(length);
+    while (!pace.nextRoomDue()) pace.tick();
+    const bool isNear = pace.distance() > length - rules::kNextRoomAhead;
+    EXPECT_TRUE(isNear || pace.ticks() == 28 * 60 + 1) << length;
+    EXPECT_EQ(isNear, length < 240.0f) << length;
+  }
 }
 
 TEST(Pace, LengthsAreMultiplesOfTheStep) {
