@@ -1,0 +1,101 @@
+#include "engine/audio/bank.h"
+
+#include "engine/audio/synthesis.h"
+#include "engine/core/profile.h"
+
+namespace brittle::audio {
+namespace {
+
+/// How many variations it takes until repeats are not noticed: more of what is heard often.
+std::uint32_t countOf(Sound sound) {
+  switch (sound) {
+    case Sound::Note:
+      return kNotes;
+    case Sound::Missed:
+    case Sound::Door:
+    case Sound::Crash:
+      return 1;
+    case Sound::Throw:
+    case Sound::ShardRain:
+      return 3;
+    case Sound::TinkleSmall:
+    case Sound::TinkleMedium:
+    case Sound::TinkleLarge:
+      return 8;
+    default:
+      return 4;
+  }
+}
+
+Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
+  switch (sound) {
+    case Sound::GlassSmall:
+      return glassBreak(0.14f, random);
+    case Sound::GlassMedium:
+      return glassBreak(0.35f, random);
+    case Sound::GlassLarge:
+      return glassBreak(0.75f, random);
+    case Sound::ShardRain:
+      return shardRain(random);
+    case Sound::TinkleSmall:
+      return tinkle(0.045f, random);
+    case Sound::TinkleMedium:
+      return tinkle(0.065f, random);
+    case Sound::TinkleLarge:
+      return tinkle(0.1f, random);
+    case Sound::OnStone:
+      return knock(Struck::Stone, random);
+    case Sound::OnMetal:
+      return knock(Struck::Metal, random);
+    case Sound::OnWood:
+      return knock(Struck::Wood, random);
+    case Sound::OnGlass:
+      return knock(Struck::Glass, random);
+    case Sound::OnSteel:
+      return knock(Struck::Steel, random);
+    case Sound::Note:
+      return bell(pitchOf(kNoteNumbers[variation]));
+    case Sound::Missed:
+      return sigh();
+    case Sound::Door:
+      return door(random);
+    case Sound::Crash:
+      return crash(random);
+    case Sound::Throw:
+      return swoosh(random);
+    case Sound::Count:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+const char* nameOf(Sound sound) {
+  constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain", "tinkle_small",
+                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_metal",   "on_wood",
+                                    "on_glass",      "on_steel",     "note",        "missed",     "door",
+                                    "crash",         "throw"};
+  static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
+  return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
+}
+
+Bank::Bank() {
+  BR_ZONE("bank");
+  for (std::size_t i = 0; i < clips_.size(); ++i) {
+    const auto sound = static_cast<Sound>(i);
+    for (std::uint32_t variation = 0; variation < countOf(sound); ++variation) {
+      Random random(mixSeed(i, variation));
+      clips_[i].emplace_back(synthesize(sound, variation, random));
+    }
+  }
+}
+
+std::size_t Bank::bytes() const {
+  std::size_t sum = 0;
+  for (const std::vector<Clip>& clips : clips_)
+    for (const Clip& clip : clips) sum += clip.bytes();
+  return sum;
+}
+
+}  // namespace brittle::audio
