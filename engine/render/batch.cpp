@@ -45,40 +45,50 @@ std::vector<std::uint16_t> sphereIndices() {
 
 }  // namespace
 
-StaticMesh::StaticMesh(const Gl& gl, std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices)
-    : vertices_(gl), indices_(gl), array_(gl), indexCount_(static_cast<std::uint32_t>(indices.size())) {
+StaticMesh::StaticMesh(const Gl& gl, std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices,
+                       std::uint32_t polished)
+    : vertices_(gl),
+      indices_(gl),
+      array_(gl),
+      dull_(static_cast<std::uint32_t>(indices.size()) - polished),
+      polished_(polished) {
   static_assert(sizeof(StaticVertex) == 24, "the layout below");
   for (const std::uint32_t index : indices) BR_ASSERT(index < vertices.size());
   using As = Attribute::As;
-  const std::array<Attribute, 3> layout = {{{0, 3, GL_FLOAT, As::Float, 0},
-                                            {1, 2, GL_FLOAT, As::Float, 12},
-                                            {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 20}}};
+  const std::array<Attribute, 3> layout = {
+      {{0, 3, GL_FLOAT, As::Float, 0}, {1, 2, GL_FLOAT, As::Float, 12}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 20}}};
   gl.BindVertexArray(array_.name());
   upload(gl, GL_ARRAY_BUFFER, vertices_.name(), vertices);
   attach(gl, vertices_.name(), sizeof(StaticVertex), layout);
   upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_.name(), indices);
 }
 
-void StaticMesh::draw(const Gl& gl) const {
+void StaticMesh::draw(const Gl& gl, bool polished) const {
   gl.BindVertexArray(array_.name());
-  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indexCount_), GL_UNSIGNED_INT, nullptr);
+  const void* first = reinterpret_cast<const void*>(polished ? sizeof(std::uint32_t) * dull_ : 0);
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(polished ? polished_ : dull_), GL_UNSIGNED_INT, first);
 }
 
-InstanceBatch::InstanceBatch(const Gl& gl, GLsizei stride, std::span<const Attribute> layout) : buffer_(gl), array_(gl) {
+void InstanceBatch::make(const Gl& gl) {
+  buffer_ = GlBuffer(gl);
+  array_ = GlVertexArray(gl);
   gl.BindVertexArray(array_.name());
-  attach(gl, buffer_.name(), stride, layout, 1);
+  attach(gl, buffer_.name(), stride_, layout_, 1);
 }
 
-SphereBatch::SphereBatch(const Gl& gl, GLsizei stride, std::span<const Attribute> layout)
-    : vertices_(gl), indices_(gl), instances_(gl), array_(gl) {
+void SphereBatch::make(const Gl& gl) {
   const std::array<Attribute, 1> pointLayout = {{{0, 3, GL_FLOAT, Attribute::As::Float, 0}}};
   const std::vector<std::uint16_t> indices = sphereIndices();
   indexCount_ = static_cast<std::uint32_t>(indices.size());
+  vertices_ = GlBuffer(gl);
+  indices_ = GlBuffer(gl);
+  instances_ = GlBuffer(gl);
+  array_ = GlVertexArray(gl);
   gl.BindVertexArray(array_.name());
   upload(gl, GL_ARRAY_BUFFER, vertices_.name(), spherePoints());
   attach(gl, vertices_.name(), sizeof(Vec3), pointLayout);
   upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_.name(), indices);
-  attach(gl, instances_.name(), stride, layout, 1);
+  attach(gl, instances_.name(), stride_, layout_, 1);
 }
 
 }  // namespace brittle::render

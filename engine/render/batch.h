@@ -12,43 +12,54 @@ namespace brittle::render {
 /// Indexed triangles on the GPU.
 class StaticMesh {
  public:
-  StaticMesh(const Gl& gl, std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices);
-  void draw(const Gl& gl) const;
-  std::uint32_t triangles() const { return indexCount_ / 3; }
+  /// The last `polished` indices are of faces that reflect.
+  StaticMesh(const Gl& gl, std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices,
+             std::uint32_t polished);
+  void draw(const Gl& gl, bool polished) const;
+  std::uint32_t triangles(bool polished) const { return (polished ? polished_ : dull_) / 3; }
 
  private:
   GlBuffer vertices_, indices_;
   GlVertexArray array_;
-  std::uint32_t indexCount_;
+  std::uint32_t dull_, polished_;  // [indices]
 };
 
-/// Instances of something whose vertices the shader makes from gl_VertexID.
+/// Instances of something whose vertices the shader makes from gl_VertexID. Takes nothing from GL before the first
+/// draw.
 class InstanceBatch {
  public:
-  InstanceBatch(const Gl& gl, GLsizei stride, std::span<const Attribute> layout);
+  /// `layout` must outlive it.
+  InstanceBatch(GLsizei stride, std::span<const Attribute> layout) : stride_(stride), layout_(layout) {}
 
   /// Draws all records of `instances`, `vertexCount` vertices each. Nothing for an empty list.
   template <class T>
-  void draw(const Gl& gl, GLenum mode, GLsizei vertexCount, const std::vector<T>& instances) const {
+  void draw(const Gl& gl, GLenum mode, GLsizei vertexCount, const std::vector<T>& instances) {
     if (instances.empty()) return;
+    if (!array_) make(gl);
     gl.BindVertexArray(array_.name());
     stream(gl, GL_ARRAY_BUFFER, buffer_.name(), instances);
     gl.DrawArraysInstanced(mode, 0, vertexCount, static_cast<GLsizei>(instances.size()));
   }
 
  private:
+  void make(const Gl& gl);
+
+  GLsizei stride_;
+  std::span<const Attribute> layout_;
   GlBuffer buffer_;
   GlVertexArray array_;
 };
 
-/// Instances of the built-in sphere.
+/// Instances of the built-in sphere. Takes nothing from GL before the first draw.
 class SphereBatch {
  public:
-  SphereBatch(const Gl& gl, GLsizei stride, std::span<const Attribute> layout);
+  /// `layout` must outlive it.
+  SphereBatch(GLsizei stride, std::span<const Attribute> layout) : stride_(stride), layout_(layout) {}
 
   template <class T>
-  void draw(const Gl& gl, const std::vector<T>& instances) const {
+  void draw(const Gl& gl, const std::vector<T>& instances) {
     if (instances.empty()) return;
+    if (!array_) make(gl);
     gl.BindVertexArray(array_.name());
     stream(gl, GL_ARRAY_BUFFER, instances_.name(), instances);
     gl.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indexCount_), GL_UNSIGNED_SHORT, nullptr,
@@ -57,6 +68,10 @@ class SphereBatch {
   std::uint32_t triangles() const { return indexCount_ / 3; }
 
  private:
+  void make(const Gl& gl);
+
+  GLsizei stride_;
+  std::span<const Attribute> layout_;
   GlBuffer vertices_, indices_, instances_;
   GlVertexArray array_;
   std::uint32_t indexCount_ = 0;

@@ -4,7 +4,9 @@ namespace brittle::render {
 
 namespace {
 
-std::uint32_t toByte(float value) { return static_cast<std::uint32_t>(clampTo(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
+std::uint32_t toByte(float value) {
+  return static_cast<std::uint32_t>(clampTo(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
 
 }  // namespace
 
@@ -27,6 +29,8 @@ void Frame::clear() {
   quads.clear();
   arcs.clear();
   texts.clear();
+  mirrorHeight.reset();
+  bloom = 0.0f;
   tint = border = Vec4::Zero();
 }
 

@@ -1,9 +1,11 @@
-// render/frame.h - one picture as plain data: what the renderer needs to know and all it knows. Whoever owns the scene fills a Frame
-// (a copy, so that the simulation may go on); the renderer reads it and never asks back. No physics, no game rules, no GL here.
+// render/frame.h - one picture as plain data: what the renderer needs to know and all it knows. Whoever owns the scene
+// fills a Frame (a copy, so that the simulation may go on); the renderer reads it and never asks back. No physics, no
+// game rules, no GL here.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,8 @@
 
 namespace brittle::render {
 
-/// Red, green, blue as authors and displays write them: sRGB-encoded, 1 is full. The renderer decodes and lights linearly.
+/// Red, green, blue as authors and displays write them: sRGB-encoded, 1 is full. The renderer decodes and lights
+/// linearly.
 using Rgb = Vec3;
 
 /// An sRGB-encoded RGBA8 colour, R in the lowest byte, as geometry::Vertex stores it. Arguments in [0, 1], clamped.
@@ -21,27 +24,44 @@ inline constexpr std::uint32_t kWhite = 0xffffffff;
 
 /// Where it is seen from. Looks along its local -Z, X right, Y up.
 struct Camera {
-  Vec3 position = Vec3::Zero();       // [m]
-  Quat rotation = Quat::Identity();   // unit
-  float tanHalfWidth = 0.57735f;      // tangent of half the horizontal field of view (60 degrees)
-  float tanHalfHeight = 0.0f;         // 0: from the picture's aspect, pixels square
-  float nearPlane = 0.1f;             // [m] > 0
-  float farPlane = 100.0f;            // [m]
+  Vec3 position = Vec3::Zero();      // [m]
+  Quat rotation = Quat::Identity();  // unit
+  float tanHalfWidth = 0.57735f;     // tangent of half the horizontal field of view (60 degrees)
+  float tanHalfHeight = 0.0f;        // 0: from the picture's aspect, pixels square
+  float nearPlane = 0.1f;            // [m] > 0
+  float farPlane = 100.0f;           // [m]
 };
 
-/// Fog by depth; its colour goes from `bottom` to `top` up the picture. Values outside [0, 1] are legal and clamp after blending.
+/// Fog by depth; its colour goes from `bottom` to `top` up the picture. Values outside [0, 1] are legal and clamp after
+/// blending.
 struct Fog {
   Rgb bottom = Rgb(0.45f, 0.60f, 0.72f);
   Rgb top = Rgb(0.80f, 0.88f, 0.94f);
-  float start = 5.0f;   // [m] of depth where it begins
-  float end = 25.0f;    // [m] where only fog is left; beyond it nothing needs to be submitted
+  float start = 5.0f;  // [m] of depth where it begins
+  float end = 25.0f;   // [m] where only fog is left; beyond it nothing needs to be submitted
 };
 
 struct Light {
-  Vec3 direction = Vec3(-0.35f, -0.85f, -0.4f);  // where it shines to; normalised by the renderer, zero is straight down
+  Vec3 direction =
+      Vec3(-0.35f, -0.85f, -0.4f);  // where it shines to; normalised by the renderer, zero is straight down
   Rgb color = Rgb(1.0f, 0.97f, 0.92f);
-  float ambient = 0.55f;                         // share of light that comes from everywhere [0, 1]
+  float ambient = 0.55f;  // share of light that comes from everywhere [0, 1]
 };
+
+/// What mirrors and glass show: the room as a long box of one colour a side along Z, with the nearest lamps.
+struct Surroundings {
+  struct Lamp {
+    Vec3 center = Vec3::Zero();       // [m]
+    Vec3 halfExtents = Vec3::Ones();  // [m]
+    float light = 1.0f;               // [-] 0 is dark
+  };
+  Vec2 low = Vec2(-4.0f, -1.0f), high = Vec2(4.0f, 4.0f);  // its sides in X and Y [m]
+  Rgb left = Rgb::Constant(0.62f), right = Rgb::Constant(0.62f);
+  Rgb floor = Rgb::Constant(0.42f), ceiling = Rgb::Constant(0.72f);
+  Rgb lampColor = Rgb(1.0f, 0.97f, 0.92f);
+  std::vector<Lamp> lamps;  // the first kMostMirroredLamps are shown
+};
+inline constexpr std::size_t kMostMirroredLamps = 8;
 
 /// Indices of the built-in draw materials (MeshInfo::material). The table may be replaced, see Renderer::setMaterials.
 enum BuiltInMaterial : std::uint16_t { kGlass, kMetal, kMatte, kCrystal, kBall, kBuiltInMaterials };
@@ -67,8 +87,8 @@ inline constexpr std::size_t kMaxGroups = 2;
 
 /// A sphere drawn from one built-in mesh; its surface pattern shows its rotation.
 struct Sphere {
-  Vec3 position = Vec3::Zero();      // [m]
-  float radius = 0.1f;               // [m]
+  Vec3 position = Vec3::Zero();  // [m]
+  float radius = 0.1f;           // [m]
   Quat rotation = Quat::Identity();
   std::uint16_t material = kBall;
   std::uint32_t color = kWhite;
@@ -146,6 +166,7 @@ struct Frame {
   Camera camera;
   Fog fog;
   Light light;
+  Surroundings surroundings;
 
   std::array<MeshGroup, kMaxGroups> groups;  // each is drawn as a whole, so glass of two must not interleave in depth
   std::vector<VisibleStatic> statics;
@@ -154,15 +175,17 @@ struct Frame {
   std::vector<Glow> glows;
   std::vector<Beam> beams;
   std::vector<Shadow> shadows;
-  float sphereShadow = 0.6f;            // opacity of the shadows of spheres; 0: none
+  std::optional<float> mirrorHeight;  // of a polished floor that shows the room upside down [m]; none: no such stage
+  float sphereShadow = 0.6f;          // opacity of the shadows of spheres; 0: none
 
-  std::vector<HudQuad> quads;           // drawn in this order: quads, arcs, texts
+  std::vector<HudQuad> quads;  // drawn in this order: quads, arcs, texts
   std::vector<HudArc> arcs;
   std::vector<HudText> texts;
-  Vec4 tint = Vec4::Zero();             // colour over the whole picture below the HUD: rgb, alpha
-  Vec4 border = Vec4::Zero();           // the same, strongest at the picture's border (a crash)
+  float bloom = 0.0f;          // how far bright things shine beyond their outline; 0: no such stage [0, 1]
+  Vec4 tint = Vec4::Zero();    // colour over the whole picture below the HUD: rgb, alpha
+  Vec4 border = Vec4::Zero();  // the same, strongest at the picture's border (a crash)
 
-  /// Empties the lists, keeping their memory; camera, fog and light stay.
+  /// Empties the lists, keeping their memory; camera, fog, light and surroundings stay.
   void clear();
 };
 

@@ -1,5 +1,6 @@
-// render/glsl.h - the sources of all shaders: GLES 3.0, the subset WebGL 2 has too. A program is header + common part + its own part.
-// Colours in buffers are sRGB-encoded; shaders decode them and compute linearly; the scene's framebuffer encodes what is written.
+// render/glsl.h - the sources of all shaders: GLES 3.0, the subset WebGL 2 has too. A program is header + common part +
+// its own part. Colours in buffers are sRGB-encoded; shaders decode them and compute linearly; the scene's framebuffer
+// encodes what is written.
 #pragma once
 
 #include "engine/render/shader.h"
@@ -20,6 +21,8 @@ extern const ProgramSource kGlass;       // translucent convexes
 extern const ProgramSource kEdge;        // bright lines
 extern const ProgramSource kGlow;        // additive discs
 extern const ProgramSource kBeam;        // additive capsules
+extern const ProgramSource kBright;      // what shines beyond its outline, small
+extern const ProgramSource kBlur;        // that, blurred one way
 extern const ProgramSource kComposite;   // scene to picture
 extern const ProgramSource kHud;         // capsules, rectangles, arcs
 

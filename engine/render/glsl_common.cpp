@@ -20,8 +20,14 @@ layout(std140) uniform FrameBlock {
   vec4 toLight;    // unit; w: ambient share
   vec4 lightColor; // linear; w: opacity of the shadows of spheres
   vec4 picture;    // width, height, 1 / width, 1 / height
-  vec4 low;        // linear fog colours, clamped: what mirrors show below and above
+  vec4 low;        // linear fog colours, clamped: what mirrors show far away, below and above
   vec4 high;
+  vec4 room;       // what mirrors show near by: the sides of a long box, low x, low y, high x, high y
+  vec4 lampColor;  // linear; w: number of lamps
+  vec4 walls[4];   // linear: left, right, floor, ceiling
+  vec4 lampPlace[8];  // centre, light
+  vec4 lampForm[8];   // half extents
+  vec4 mirror;        // height of the mirror floor, 1 if there is one
 } frame;
 
 layout(std140) uniform MaterialBlock {
@@ -60,15 +66,26 @@ vec3 withFog(vec3 color, vec3 point) { return mix(color, fogColor(), fogAt(depth
 // What a dull mirror shows in direction r: the fog's colours, dim below.
 vec3 surroundings(vec3 r) { return mix(frame.low.rgb * 0.35, frame.high.rgb * 0.85, smoothstep(-0.25, 0.55, r.y)); }
 
-// What a clear mirror shows: the same with a row of soft boxes overhead and a bright horizon.
-vec3 environment(vec3 r) {
-  vec3 c = surroundings(r);
-  vec2 p = r.xz / (max(r.y, 0.0) + 0.12);
-  float lane = smoothstep(1.1, 0.7, abs(p.x));
-  float box = smoothstep(0.10, 0.22, abs(fract(p.y * 0.33 + 0.5) - 0.5)) * smoothstep(9.0, 2.0, abs(p.y));
-  c += frame.lightColor.rgb * (1.6 * lane * box * smoothstep(0.12, 0.3, r.y));
-  c += frame.high.rgb * (0.35 * smoothstep(0.16, 0.0, abs(r.y - 0.04)));
-  return c;
+// What a mirror at `point` shows in direction r: the side of the room it looks at, its lamps, and the fog before them. `soft` [m] blurs.
+vec3 environment(vec3 point, vec3 r, float soft) {
+  bvec2 up = greaterThan(r.xy, vec2(0.0));
+  vec2 side = vec2(up.x ? frame.room.z : frame.room.x, up.y ? frame.room.w : frame.room.y);
+  vec2 ways = max((side - point.xy) / (abs(r.xy) + 1e-4) * (vec2(up) * 2.0 - 1.0), 0.0);
+  float way = min(ways.x, ways.y);
+  vec3 hit = point + r * way;
+  vec3 across = up.x ? frame.walls[1].rgb : frame.walls[0].rgb;
+  vec3 along = up.y ? frame.walls[3].rgb : frame.walls[2].rgb;
+  vec3 c = mix(across, along, smoothstep(-soft, soft, ways.x - ways.y));
+  c *= mix(0.5, 1.25, smoothstep(-0.7, 0.7, r.y));  // mirrors look better in a room with more contrast than ours
+  vec2 corner = min(hit.xy - frame.room.xy, frame.room.zw - hit.xy);
+  c *= 0.45 + 0.55 * smoothstep(0.0, 1.2, max(corner.x, corner.y));
+  for (int i = 0; i < int(frame.lampColor.w); ++i) {
+    vec3 off = max(abs(hit - frame.lampPlace[i].xyz) - frame.lampForm[i].xyz, 0.0);
+    float far = dot(off, off);
+    c += frame.lampColor.rgb * (frame.lampPlace[i].w * (smoothstep(soft * soft, 0.0, far) * 1.5 + 0.18 / (0.5 + far)));
+  }
+  float fog = fogAt(depthOf(point) + way);
+  return mix(c, mix(frame.low.rgb, frame.high.rgb, clamp(0.5 + 0.6 * r.y, 0.0, 1.0)), fog);
 }
 
 float schlick(float cosine, float base) {
@@ -88,16 +105,18 @@ vec3 surfaceNormal(vec4 normal, vec3 point) {
 }
 
 // Light reflected to the eye by an opaque surface; `open` in [0, 1] is how much of the surroundings it sees.
-vec3 shade(vec3 albedo, vec3 n, vec3 v, float metalness, float gloss, float open) {
+vec3 shade(vec3 albedo, vec3 point, vec3 n, float metalness, float gloss, float open) {
+  vec3 v = toEye(point);
   vec3 r = reflect(-v, n);
   float facing = max(dot(n, v), 0.0);
   float lambert = max(dot(n, frame.toLight.xyz), 0.0);
   float sky = 0.75 + 0.25 * n.y;
   vec3 diffuse = albedo * (frame.toLight.w * sky + (1.0 - frame.toLight.w) * lambert * frame.lightColor.rgb);
   float fresnel = schlick(facing, 0.04) * (0.2 + 0.8 * gloss);
-  vec3 mirror = environment(normalize(mix(n, r, 0.4 + 0.6 * gloss)));
+  vec3 mirror = environment(point, normalize(mix(n, r, 0.4 + 0.6 * gloss)), mix(2.5, 0.08, gloss));
   vec3 highlight = frame.lightColor.rgb * (pow(max(dot(r, frame.toLight.xyz), 0.0), mix(8.0, 300.0, gloss * gloss)) * (0.15 + 1.6 * gloss));
   vec3 plastic = diffuse + (mirror + highlight) * fresnel;
+  mirror *= 0.45 + 1.3 * dot(mirror, vec3(0.3, 0.5, 0.2));  // polished steel shows bright things brighter
   vec3 metal = mix(albedo, vec3(1.0), schlick(facing, 0.0)) * (mirror + highlight * 0.7) + albedo * 0.04;
   return mix(plastic, metal, metalness) * open;
 }

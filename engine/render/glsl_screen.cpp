@@ -15,8 +15,8 @@ out vec4 result;
 void main() { result = vec4(fogColor(), 1.0); }
 )"};
 
-// A box below each caster; the depth picture says which point of the scene a pixel shows, and its distance from the axis below the
-// caster says how dark it gets.
+// A box below each caster; the depth picture says which point of the scene a pixel shows, and its distance from the
+// axis below the caster says how dark it gets.
 const ProgramSource kShadow = {"shadow", R"(
 layout(location = 1) in vec4 place;  // centre, radius
 layout(location = 2) in vec2 shade;  // opacity, 1 for a sphere
@@ -30,7 +30,8 @@ void main() {
   vShade = shade;
   gl_Position = frame.viewProjection * vec4(place.xyz + unit * place.w * vec3(1.7, 4.0, 1.7), 1.0);
 }
-)", R"(
+)",
+                               R"(
 uniform sampler2D depthTexture;
 flat in vec4 vPlace;
 flat in vec2 vShade;
@@ -51,7 +52,8 @@ void main() {
 }
 )"};
 
-// Segments widened to about a pixel. An end behind the near plane is moved onto it; lines thinner than a pixel fade instead.
+// Segments widened to about a pixel. An end behind the near plane is moved onto it; lines thinner than a pixel fade
+// instead.
 const ProgramSource kEdge = {"edge", R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
@@ -61,6 +63,7 @@ out float vAcross;
 out vec3 vPoint;
 flat out vec4 vColor;
 flat out float vWidth;
+flat out vec3 vAlong;  // unit
 void main() {
   uvec4 shape = fetchShape(slot);
   Pose pose = fetchBody(shape.x);
@@ -69,6 +72,7 @@ void main() {
   float da = dot(a - frame.eye.xyz, frame.forward.xyz) - frame.forward.w;
   float db = dot(b - frame.eye.xyz, frame.forward.xyz) - frame.forward.w;
   vColor = vec4(mix(vec3(1.0), materials.surface[int(shape.y)].rgb * decode(unpackColor(shape.z).rgb), 0.35), strength);
+  vAlong = normalize(b - a + vec3(1e-7));
   vWidth = 0.0;
   vAcross = 0.0;
   vPoint = a;
@@ -84,25 +88,31 @@ void main() {
   bool atEnd = gl_VertexID >= 2;
   float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   vec4 c = atEnd ? cb : ca;
-  float pixels = 0.007 * frame.picture.y / (2.0 * frame.up.w * c.w);  // of a line 7 mm wide
-  vWidth = clamp(pixels, 1.0, 6.0) * 0.5;
-  vColor.a *= clamp(pixels, 0.25, 1.0);
+  float pixels = 0.004 * frame.picture.y / (2.0 * frame.up.w * c.w);  // of a line 4 mm wide
+  vWidth = clamp(pixels, 0.9, 4.0) * 0.5;
+  vColor.a *= clamp(pixels, 0.3, 1.0);
   vAcross = side * (vWidth + 1.0);
   vPoint = atEnd ? b : a;
   c.xy += vec2(-along.y, along.x) * (vAcross * 2.0 * c.w) * frame.picture.zw;
   c.z -= 0.0004 * c.w;
   gl_Position = c;
 }
-)", R"(
+)",
+                             R"(
 in float vAcross;
 in vec3 vPoint;
 flat in vec4 vColor;
 flat in float vWidth;
+flat in vec3 vAlong;
 out vec4 result;
 void main() {
   float cover = clamp(vWidth + 0.5 - abs(vAcross), 0.0, 1.0);
-  vec3 light = vColor.rgb * (0.35 + 0.65 * frame.high.rgb);
-  result = vec4(light, 1.0) * (vColor.a * cover * (1.0 - fogAt(depthOf(vPoint))));
+  // A polished edge is a thin cylinder: it flashes where it lies across the way from the light to the eye.
+  vec3 middle = normalize(toEye(vPoint) + frame.toLight.xyz);
+  float along = dot(vAlong, middle);
+  float flash = pow(max(1.0 - along * along, 0.0), 24.0);
+  vec3 light = vColor.rgb * (0.35 + 0.65 * frame.high.rgb) * (0.55 + 0.9 * flash);
+  result = vec4(light, 0.85) * (vColor.a * (0.55 + 0.45 * flash) * cover * (1.0 - fogAt(depthOf(vPoint))));
 }
 )"};
 
@@ -118,7 +128,8 @@ void main() {
   vColor = vec4(decode(color.rgb), color.a);
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
-)", R"(
+)",
+                             R"(
 in vec2 vAt;
 in vec3 vPoint;
 flat in vec4 vColor;
@@ -145,7 +156,8 @@ void main() {
   vColor = vec4(decode(color.rgb), color.a);
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
-)", R"(
+)",
+                             R"(
 in float vAcross;
 in vec3 vPoint;
 flat in vec4 vColor;
@@ -157,14 +169,44 @@ void main() {
 }
 )"};
 
+// The brightest parts of the scene, four by four pixels to one.
+const ProgramSource kBright = {"bright", kScreenVertex, R"(
+uniform sampler2D colorTexture;
+out vec4 result;
+vec3 tap(vec2 at) { return texture(colorTexture, at * frame.picture.zw).rgb; }
+void main() {
+  vec2 at = gl_FragCoord.xy * 4.0;
+  vec3 c = 0.25 * (tap(at + vec2(-1.0, -1.0)) + tap(at + vec2(1.0, -1.0)) + tap(at + vec2(-1.0, 1.0)) + tap(at + vec2(1.0, 1.0)));
+  float bright = max(c.r, max(c.g, c.b));
+  result = vec4(c * smoothstep(0.80, 1.0, bright), 1.0);
+}
+)"};
+
+// Nine weights of a bell in five look-ups: between two texels the sampler adds them for us.
+const ProgramSource kBlur = {"blur", kScreenVertex, R"(
+uniform sampler2D bloomTexture;
+uniform vec4 tap;  // one texel along
+out vec4 result;
+void main() {
+  vec2 at = gl_FragCoord.xy / vec2(textureSize(bloomTexture, 0));
+  vec3 c = texture(bloomTexture, at).rgb * 0.227027;
+  c += (texture(bloomTexture, at + tap.xy * 1.384615).rgb + texture(bloomTexture, at - tap.xy * 1.384615).rgb) * 0.316216;
+  c += (texture(bloomTexture, at + tap.xy * 3.230769).rgb + texture(bloomTexture, at - tap.xy * 3.230769).rgb) * 0.070270;
+  result = vec4(c, 1.0);
+}
+)"};
+
 // Linear scene to an encoded picture, with the tints over it and half a step of ordered noise against bands in the fog.
 const ProgramSource kComposite = {"composite", kScreenVertex, R"(
 uniform sampler2D colorTexture;
 uniform vec4 tint;
 uniform vec4 border;
+uniform sampler2D bloomTexture;
+uniform vec4 tap;  // x: strength of the bloom
 out vec4 result;
 void main() {
   vec3 c = texelFetch(colorTexture, ivec2(gl_FragCoord.xy), 0).rgb;
+  if (tap.x > 0.0) c += texture(bloomTexture, gl_FragCoord.xy * frame.picture.zw).rgb * tap.x;
   vec3 s1 = sqrt(c), s2 = sqrt(s1), s3 = sqrt(s2);  // within 0.002 of the exact curve, and roots are cheap
   c = max(0.662002687 * s1 + 0.684122060 * s2 - 0.323583601 * s3 - 0.0225411470 * c, 0.0);
   vec2 at = gl_FragCoord.xy * frame.picture.zw * 2.0 - 1.0;
@@ -178,9 +220,9 @@ void main() {
 }
 )"};
 
-// kind 0: rectangle about ends.xy with half size ends.zw; 1: arc about ends.xy from ends.z to ends.w turns, form = outer, inner radius;
-// 2: glyph with its origin at ends.xy, ends.z pixels a unit, row ends.w of the stroke texture, form = stroke and shade radius.
-// All in pixels, y down.
+// kind 0: rectangle about ends.xy with half size ends.zw; 1: arc about ends.xy from ends.z to ends.w turns, form =
+// outer, inner radius; 2: glyph with its origin at ends.xy, ends.z pixels a unit, row ends.w of the stroke texture,
+// form = stroke and shade radius. All in pixels, y down.
 const ProgramSource kHud = {"hud", R"(
 layout(location = 0) in vec4 ends;
 layout(location = 1) in vec4 form;  // z: kind
@@ -207,7 +249,8 @@ void main() {
   vec2 ndc = vAt * frame.picture.zw * 2.0 - 1.0;
   gl_Position = vec4(ndc.x, -ndc.y, 0.0, 1.0);
 }
-)", R"(
+)",
+                            R"(
 uniform usampler2D strokeTexture;
 in vec2 vAt;
 flat in vec4 vEnds;

@@ -16,8 +16,10 @@ void main() {
   vColor = color;
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
-)", R"(
+)",
+                             R"(
 uniform sampler2D tileTexture;
+uniform vec4 offset;  // w: 1 where it reflects
 in vec3 vPoint;
 in vec2 vTile;
 in vec4 vColor;
@@ -28,10 +30,22 @@ void main() {
   vec3 albedo = decode(clamp(vColor.rgb * 2.0 * texture(tileTexture, vTile).r, 0.0, 1.0));
   vec3 n = surfaceNormal(vec4(0.0), vPoint);
   vec3 v = toEye(vPoint);
-  // Light on faces is baked into the colours; only the polish is computed.
-  float polish = schlick(dot(n, v), 0.04) * (n.y > 0.5 ? 0.6 : 0.3);
-  vec3 color = albedo * open + surroundings(reflect(-v, n)) * (polish * open);
-  result = vec4(withFog(color, vPoint), 1.0);
+  // Light on faces is baked into the colours; what does not see the room's light still sees its colour.
+  vec3 color = albedo * mix(frame.low.rgb * 0.22 + 0.03, vec3(1.0), open);
+  vec3 r = reflect(-v, n);
+  float through = 0.0;
+  if (offset.w > 0.5) {
+    // A mirror floor lets the room that is drawn upside down below it through; other polished faces look it up.
+    float mirror = schlick(dot(n, v), 0.10) * open;
+    bool isFloor = frame.mirror.y > 0.5 && n.y > 0.5 && abs(vPoint.y - frame.mirror.x) < 0.02;
+    through = isFloor ? mirror : 0.0;
+    color = color * (1.0 - mirror) + (isFloor ? vec3(0.0) : environment(vPoint, r, 0.3) * mirror);
+  } else {
+    color += surroundings(r) * (schlick(dot(n, v), 0.04) * (n.y > 0.5 ? 0.6 : 0.3) * open);
+  }
+  float clear = 1.0 - fogAt(depthOf(vPoint));
+  through *= clear;
+  result = vec4(color * clear + fogColor() * (1.0 - clear), 1.0 - through);
 }
 )"};
 
@@ -66,16 +80,17 @@ out vec4 result;
 void main() {
   vec4 surface = materials.surface[vMaterial];
   vec3 n = surfaceNormal(vNormal, vPoint);
-  vec3 color = shade(surface.rgb * decode(vColor.rgb), n, toEye(vPoint), surface.a, materials.finish[vMaterial].x, 1.0);
+  vec3 color = shade(surface.rgb * decode(vColor.rgb), vPoint, n, surface.a, materials.finish[vMaterial].x, 1.0);
   result = vec4(withFog(color, vPoint), 1.0);
 }
 )"};
 
-// Blended as result + behind * (1 - result.a). What passes through is split: the part every channel shares (`even`) lets glass
-// drawn before show through; the rest, and all of it where the surface bends light visibly, is looked up in the opaque picture.
+// Blended as result + behind * (1 - result.a). What passes through is split: the part every channel shares (`even`)
+// lets glass drawn before show through; the rest, and all of it where the surface bends light visibly, is looked up in
+// the opaque picture.
 const ProgramSource kGlass = {"glass", kConvexVertex, R"(
 uniform sampler2D colorTexture;  // the opaque picture
-uniform vec4 bend;               // x: strength of refraction [picture heights], 0 switches the look-up off
+uniform vec4 bend;               // x: strength of refraction [picture heights], 0 switches the look-up off; y: 1 where it broke
 in vec3 vPoint;
 in vec4 vNormal;
 in vec4 vColor;
@@ -87,23 +102,30 @@ void main() {
   vec3 n = surfaceNormal(vNormal, vPoint);
   vec3 v = toEye(vPoint);
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  float fresnel = schlick(facing, 0.07);
+  float fresnel = schlick(facing, 0.05);
   vec3 tint = surface.rgb * decode(vColor.rgb);
+  vec3 r = reflect(-v, n);
+  float cut = bend.y;
 
   float path = 1.0 / (0.35 + 0.65 * facing);  // a slanted ray stays in the glass for longer
-  vec3 through = tint * mix(vec3(1.0), tint, min((path - 1.0) * 0.6, 1.0)) * finish.y * (1.0 - fresnel);
-  vec3 r = reflect(-v, n);
+  vec3 through = tint * mix(vec3(1.0), tint, min((path - 1.0) * 0.8 + cut, 1.5)) * finish.y * (1.0 - fresnel);
   float sharp = pow(max(dot(r, frame.toLight.xyz), 0.0), mix(30.0, 420.0, finish.x));
   float glint = smoothstep(0.35, 0.95, sin(11.0 * r.x + 6.0 * r.y));  // window light, in slanted bands
-  vec3 mirror = environment(r) * fresnel + frame.high.rgb * (glint * (0.045 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
+  vec3 mirror = environment(vPoint, r, 0.15) * fresnel;
+  mirror += frame.high.rgb * (glint * (0.03 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
+  // A broken face gathers the light inside the glass: pale where one looks along it, clear where one looks through it.
+  float grazing = cut * (1.0 - facing * facing);
+  vec3 pale = mix(tint, vec3(1.0), 0.45) * (0.35 + 0.65 * frame.high.rgb);
+  float gathered = (0.30 + 0.40 * abs(n.x) + 0.40 * max(n.y, 0.0)) * (0.25 + 0.75 * grazing);
   float rim = (1.0 - facing) * (1.0 - facing);
-  vec3 body = tint * (frame.toLight.w * (1.0 - finish.y) * 0.6 + 0.10 * rim) * (0.7 + 0.3 * n.y);
-  vec3 color = mirror + body;
+  vec3 body = tint * (frame.toLight.w * (1.0 - finish.y) * 0.9 + 0.16 * rim) * (0.75 + 0.25 * n.y);
+  vec3 color = mirror + mix(body, pale * gathered, cut);
+  through *= 1.0 - 0.55 * grazing;
 
   float even = min(through.r, min(through.g, through.b));
   if (bend.x > 0.0) {
     vec2 tilt = vec2(dot(n, frame.right.xyz), dot(n, frame.up.xyz));
-    float bent = smoothstep(0.15, 0.7, length(tilt)) * 0.85;
+    float bent = smoothstep(0.12, 0.6, length(tilt)) * 0.9;
     vec2 at = gl_FragCoord.xy * frame.picture.zw - tilt * bend.x * vec2(frame.picture.y * frame.picture.z, 1.0);
     even *= 1.0 - bent;
     color += texture(colorTexture, at).rgb * (through - even);
@@ -134,7 +156,8 @@ void main() {
   vMaterial = int(material);
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
-)", R"(
+)",
+                               R"(
 in vec3 vPoint;
 in vec3 vNormal;
 in vec3 vLocal;
@@ -144,12 +167,12 @@ out vec4 result;
 void main() {
   vec3 n = normalize(vNormal);
   vec4 surface = materials.surface[vMaterial];
-  // Two engraved rings show how it turns.
-  float ring = abs(abs(normalize(vLocal).y) - 0.38);
-  float soft = fwidth(ring) + 0.005;
-  float engraved = smoothstep(0.035 + soft, 0.035 - soft, ring);
-  float open = (0.62 + 0.38 * smoothstep(-0.9, 0.3, n.y)) * (1.0 - 0.45 * engraved);
-  vec3 color = shade(surface.rgb * vColor, n, toEye(vPoint), surface.a, materials.finish[vMaterial].x, open);
+  // A thin groove shows how it turns.
+  float groove = abs(normalize(vLocal).y);
+  float soft = fwidth(groove) + 0.004;
+  float engraved = smoothstep(0.022 + soft, 0.022 - soft, groove);
+  float open = (0.62 + 0.38 * smoothstep(-0.9, 0.3, n.y)) * (1.0 - 0.35 * engraved);
+  vec3 color = shade(surface.rgb * vColor, vPoint, n, surface.a, materials.finish[vMaterial].x, open);
   result = vec4(withFog(color, vPoint), 1.0);
 }
 )"};
@@ -170,14 +193,15 @@ void main() {
   vColor = decode(color.rgb);
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
-)", R"(
+)",
+                              R"(
 in vec3 vPoint;
 flat in vec3 vColor;
 out vec4 result;
 void main() {
   vec3 n = surfaceNormal(vec4(0.0), vPoint);
   vec3 v = toEye(vPoint);
-  vec3 color = vColor * (0.25 + 0.35 * max(n.y, 0.0)) + environment(reflect(-v, n)) * (0.25 + 0.75 * schlick(dot(n, v), 0.1));
+  vec3 color = vColor * (0.25 + 0.35 * max(n.y, 0.0)) + surroundings(reflect(-v, n)) * (0.25 + 0.75 * schlick(dot(n, v), 0.1));
   result = vec4(withFog(color, vPoint), 1.0);
 }
 )"};

@@ -1,5 +1,6 @@
 #include "engine/render/passes.h"
 
+#include "engine/core/log.h"
 #include "engine/core/profile.h"
 #include "engine/render/glsl.h"
 #include "engine/render/text.h"
@@ -15,27 +16,23 @@ constexpr std::array<Attribute, 4> kSphereLayout = {{{1, 4, GL_FLOAT, As::Float,
                                                      {2, 4, GL_FLOAT, As::Float, 16},
                                                      {3, 4, GL_UNSIGNED_BYTE, As::Normalized, 32},
                                                      {4, 1, GL_UNSIGNED_INT, As::Whole, 36}}};
-constexpr std::array<Attribute, 2> kPlaceLayout = {{{1, 4, GL_FLOAT, As::Float, 0},
-                                                    {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}}};
-constexpr std::array<Attribute, 3> kBeamLayout = {{{0, 4, GL_FLOAT, As::Float, 0},
-                                                   {1, 3, GL_FLOAT, As::Float, 16},
-                                                   {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 28}}};
+constexpr std::array<Attribute, 2> kPlaceLayout = {
+    {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}}};
+constexpr std::array<Attribute, 3> kBeamLayout = {
+    {{0, 4, GL_FLOAT, As::Float, 0}, {1, 3, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 28}}};
 constexpr std::array<Attribute, 2> kShadowLayout = {{{1, 4, GL_FLOAT, As::Float, 0}, {2, 2, GL_FLOAT, As::Float, 16}}};
 constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0},
                                                    {1, 3, GL_FLOAT, As::Float, 12},
                                                    {2, 1, GL_UNSIGNED_INT, As::Whole, 24},
                                                    {3, 1, GL_FLOAT, As::Float, 28}}};
-constexpr std::array<Attribute, 3> kHudLayout = {{{0, 4, GL_FLOAT, As::Float, 0},
-                                                  {1, 4, GL_FLOAT, As::Float, 16},
-                                                  {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 32}}};
+constexpr std::array<Attribute, 3> kHudLayout = {
+    {{0, 4, GL_FLOAT, As::Float, 0}, {1, 4, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 32}}};
 constexpr GLsizei kQuadVertices = 4, kBoxVertices = 14, kTetrahedronVertices = 12;
 
 void bindTexture(const Gl& gl, GLint unit, GLuint texture) {
   gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   gl.BindTexture(GL_TEXTURE_2D, texture);
 }
-
-void set(const Gl& gl, GLint location, const Vec4& v) { gl.Uniform4f(location, v.x(), v.y(), v.z(), v.w()); }
 
 }  // namespace
 
@@ -44,31 +41,52 @@ Passes::Passes(const Gl& gl)
       frameBlock_(gl),
       materialBlock_(gl),
       empty_(gl),
-      strokes_(makeStrokeTexture(gl)),
-      tiles_(makeTileTexture(gl)),
-      sphereBatch_(gl, sizeof(SphereInstance), kSphereLayout),
-      crumbBatch_(gl, sizeof(PlaceInstance), kPlaceLayout),
-      glowBatch_(gl, sizeof(PlaceInstance), kPlaceLayout),
-      beamBatch_(gl, sizeof(BeamInstance), kBeamLayout),
-      shadowBatch_(gl, sizeof(ShadowInstance), kShadowLayout),
-      edgeBatch_(gl, sizeof(EdgeInstance), kEdgeLayout),
-      hudBatch_(gl, sizeof(HudInstance), kHudLayout) {}
+      sphereBatch_(sizeof(SphereInstance), kSphereLayout),
+      crumbBatch_(sizeof(PlaceInstance), kPlaceLayout),
+      glowBatch_(sizeof(PlaceInstance), kPlaceLayout),
+      beamBatch_(sizeof(BeamInstance), kBeamLayout),
+      shadowBatch_(sizeof(ShadowInstance), kShadowLayout),
+      edgeBatch_(sizeof(EdgeInstance), kEdgeLayout),
+      hudBatch_(sizeof(HudInstance), kHudLayout) {}
 
 Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
-  const ProgramSource* sources[kPrograms] = {&glsl::kBackground, &glsl::kRoom, &glsl::kSolid, &glsl::kSphere,
-                                          &glsl::kCrumb,      &glsl::kShadow, &glsl::kGlass, &glsl::kEdge,
-                                          &glsl::kGlow,       &glsl::kBeam, &glsl::kComposite, &glsl::kHud};
   std::unique_ptr<Passes> passes(new Passes(gl));
-  for (int i = 0; i < kPrograms; ++i) {
-    Result<Program> program = Program::build(gl, *sources[i]);
-    if (!program) return program.error();
-    passes->programs_[static_cast<std::size_t>(i)] = std::move(*program);
+  for (const Which which : {kBackgroundProgram, kCompositeProgram}) {  // of every picture
+    const Status built = passes->build(which);
+    if (!built) return built.error();
   }
-  passes->roomOffset_ = passes->programs_[kRoomProgram].location("offset");
-  passes->glassBend_ = passes->programs_[kGlassProgram].location("bend");
-  passes->compositeTint_ = passes->programs_[kCompositeProgram].location("tint");
-  passes->compositeBorder_ = passes->programs_[kCompositeProgram].location("border");
   return passes;
+}
+
+Status Passes::build(Which which) {
+  static const ProgramSource* const sources[kPrograms] = {
+      &glsl::kBackground, &glsl::kRoom, &glsl::kSolid, &glsl::kSphere, &glsl::kCrumb, &glsl::kShadow,    &glsl::kGlass,
+      &glsl::kEdge,       &glsl::kGlow, &glsl::kBeam,  &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud};
+  static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
+  Result<Program> program = Program::build(gl_, *sources[which]);
+  if (!program) return program.error();
+  programs_[which] = std::move(*program);
+  for (std::size_t i = 0; i < kUniforms; ++i) locations_[which][i] = programs_[which].location(uniforms[i]);
+  return Done{};
+}
+
+bool Passes::use(Which which) {
+  if (failed_[which]) return false;
+  if (!programs_[which]) {
+    const Status built = build(which);
+    failed_[which] = !built;
+    if (!built) {
+      logError(built.error().message);
+      return false;
+    }
+  }
+  programs_[which].use();
+  current_ = which;
+  return true;
+}
+
+void Passes::set(Uniform uniform, const Vec4& v) const {
+  gl_.Uniform4f(locations_[current_][uniform], v.x(), v.y(), v.z(), v.w());
 }
 
 void Passes::setMaterials(const MaterialUniforms& materials) {
@@ -84,6 +102,21 @@ void Passes::begin(const FrameUniforms& uniforms) {
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, kMaterialBlock, materialBlock_.name());
 }
 
+void Passes::beginMirror(const FrameUniforms& uniforms) {
+  inMirror_ = true;
+  if (!mirrorBlock_) mirrorBlock_ = GlBuffer(gl_);
+  gl_.BindBuffer(GL_UNIFORM_BUFFER, mirrorBlock_.name());
+  gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, mirrorBlock_.name());
+}
+
+void Passes::endMirror() {
+  inMirror_ = false;
+  gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frameBlock_.name());
+  setState(Depth::Write, Blend::Off, Faces::All);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
 void Passes::setState(Depth depth, Blend blend, Faces faces) {
   const auto turn = [this](GLenum what, bool on) { on ? gl_.Enable(what) : gl_.Disable(what); };
   turn(GL_DEPTH_TEST, depth != Depth::Off);
@@ -94,7 +127,7 @@ void Passes::setState(Depth depth, Blend blend, Faces faces) {
   if (blend == Blend::Premultiplied) gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (blend == Blend::Add) gl_.BlendFunc(GL_ONE, GL_ONE);
   turn(GL_CULL_FACE, faces != Faces::All);
-  gl_.CullFace(faces == Faces::Back ? GL_FRONT : GL_BACK);
+  gl_.CullFace((faces == Faces::Back) != inMirror_ ? GL_FRONT : GL_BACK);
 }
 
 void Passes::count(std::size_t triangles) {
@@ -107,21 +140,24 @@ void Passes::background() {
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   setState(Depth::Off, Blend::Off, Faces::All);
   use(kBackgroundProgram);
+  drawScreen();
+}
+
+void Passes::drawScreen() {
   gl_.BindVertexArray(empty_.name());
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
   count(1);
 }
 
-void Passes::beginRooms() {
-  setState(Depth::Write, Blend::Off, Faces::Front);
-  use(kRoomProgram);
+void Passes::room(const StaticMesh& mesh, const Vec3& offset, bool polished) {
+  if (mesh.triangles(polished) == 0) return;
+  setState(Depth::Write, polished ? Blend::Premultiplied : Blend::Off, Faces::Front);
+  if (!use(kRoomProgram)) return;
+  if (!tiles_) tiles_ = makeTileTexture(gl_);
   bindTexture(gl_, kUnitTiles, tiles_.name());
-}
-
-void Passes::room(const StaticMesh& mesh, const Vec3& offset) {
-  gl_.Uniform4f(roomOffset_, offset.x(), offset.y(), offset.z(), 0.0f);
-  mesh.draw(gl_);
-  count(mesh.triangles());
+  set(kOffset, Vec4(offset.x(), offset.y(), offset.z(), polished ? 1.0f : 0.0f));
+  mesh.draw(gl_, polished);
+  count(mesh.triangles(polished));
 }
 
 void Passes::drawTriangles(GLuint indexBuffer, const std::vector<std::uint32_t>& indices) {
@@ -134,7 +170,7 @@ void Passes::drawTriangles(GLuint indexBuffer, const std::vector<std::uint32_t>&
 void Passes::solid(const MeshStore& store, const std::vector<std::uint32_t>& indices) {
   if (indices.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::All);
-  use(kSolidProgram);
+  if (!use(kSolidProgram)) return;
   store.bind();
   drawTriangles(store.indexBuffer(), indices);
 }
@@ -142,7 +178,7 @@ void Passes::solid(const MeshStore& store, const std::vector<std::uint32_t>& ind
 void Passes::spheres(const std::vector<SphereInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::Front);
-  use(kSphereProgram);
+  if (!use(kSphereProgram)) return;
   sphereBatch_.draw(gl_, instances);
   count(instances.size() * sphereBatch_.triangles());
 }
@@ -150,7 +186,7 @@ void Passes::spheres(const std::vector<SphereInstance>& instances) {
 void Passes::crumbs(const std::vector<PlaceInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::All);
-  use(kCrumbProgram);
+  if (!use(kCrumbProgram)) return;
   crumbBatch_.draw(gl_, GL_TRIANGLES, kTetrahedronVertices, instances);
   count(instances.size() * 4);
 }
@@ -160,16 +196,16 @@ void Passes::shadows(const std::vector<ShadowInstance>& instances, Target& targe
   target.copyDepth(kUnitDepth);
   // Back faces without a depth test: seen from inside the box, too.
   setState(Depth::Off, Blend::Over, Faces::Back);
-  use(kShadowProgram);
+  if (!use(kShadowProgram)) return;
   shadowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kBoxVertices, instances);
   count(instances.size() * 12);
 }
 
-void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction) {
+void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut) {
   if (indices.empty()) return;
   setState(Depth::Test, Blend::Premultiplied, Faces::All);
-  use(kGlassProgram);
-  gl_.Uniform4f(glassBend_, refraction, 0.0f, 0.0f, 0.0f);
+  if (!use(kGlassProgram)) return;
+  set(kBend, Vec4(refraction, cut ? 1.0f : 0.0f, 0.0f, 0.0f));
   store.bind();
   drawTriangles(store.indexBuffer(), indices);
 }
@@ -177,7 +213,7 @@ void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& ind
 void Passes::edges(const MeshStore& store, const std::vector<EdgeInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Premultiplied, Faces::All);
-  use(kEdgeProgram);
+  if (!use(kEdgeProgram)) return;
   store.bindTables();
   edgeBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
@@ -187,7 +223,7 @@ void Passes::edges(const MeshStore& store, const std::vector<EdgeInstance>& inst
 void Passes::glows(const std::vector<PlaceInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Add, Faces::All);
-  use(kGlowProgram);
+  if (!use(kGlowProgram)) return;
   glowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }
@@ -195,28 +231,48 @@ void Passes::glows(const std::vector<PlaceInstance>& instances) {
 void Passes::beams(const std::vector<BeamInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Test, Blend::Add, Faces::All);
-  use(kBeamProgram);
+  if (!use(kBeamProgram)) return;
   beamBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }
 
-void Passes::composite(Target& target, const Vec4& tint, const Vec4& border) {
+void Passes::bloom(Target& target) {
+  setState(Depth::Off, Blend::Off, Faces::All);
+  target.bindSmall(0);
+  if (!use(kBrightProgram)) return;
+  drawScreen();
+  if (!use(kBlurProgram)) return;
+  const float right = 1.0f / static_cast<float>(target.smallWidth()),
+              up = 1.0f / static_cast<float>(target.smallHeight());
+  for (const std::size_t to : {1u, 0u}) {
+    target.bindSmall(to);
+    target.useSmall(1 - to, kUnitBloom);
+    set(kTap, to == 1 ? Vec4(right, 0.0f, 0.0f, 0.0f) : Vec4(0.0f, up, 0.0f, 0.0f));
+    drawScreen();
+  }
+  target.useSmall(0, kUnitBloom);
+}
+
+void Passes::composite(Target& target, float strength, const Vec4& tint, const Vec4& border) {
   target.resolve(kUnitColor);
+  if (strength > 0.0f) bloom(target);
   target.bindPicture();
   setState(Depth::Off, Blend::Off, Faces::All);
   use(kCompositeProgram);
-  set(gl_, compositeTint_, tint);
-  set(gl_, compositeBorder_, border);
-  gl_.BindVertexArray(empty_.name());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  bindTexture(gl_, kUnitColor, 0);  // the next frame draws into it, and WebGL refuses that while a program could read it
-  count(1);
+  set(kTint, tint);
+  set(kBorder, border);
+  set(kTap, Vec4(strength, 0.0f, 0.0f, 0.0f));
+  drawScreen();
+  // The next frame draws into them, and WebGL refuses that while a program could read them.
+  bindTexture(gl_, kUnitColor, 0);
+  if (strength > 0.0f) bindTexture(gl_, kUnitBloom, 0);
 }
 
 void Passes::hud(const std::vector<HudInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Off, Blend::Over, Faces::All);
-  use(kHudProgram);
+  if (!use(kHudProgram)) return;
+  if (!strokes_) strokes_ = makeStrokeTexture(gl_);
   bindTexture(gl_, kUnitStrokes, strokes_.name());
   hudBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);

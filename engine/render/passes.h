@@ -1,5 +1,6 @@
-// render/passes.h - the back end: all programs, and one function per pass that sets the state it needs and issues its draws. The order
-// of passes is the renderer's business.
+// render/passes.h - the back end: all programs, and one function per pass that sets the state it needs and issues its
+// draws. The order of passes is the renderer's business. A pass compiles its shader and takes its buffers with its
+// first draw: what no scene asks for costs nothing.
 #pragma once
 
 #include <array>
@@ -23,23 +24,28 @@ class Passes {
   void setMaterials(const MaterialUniforms& materials);
   /// Makes the frame's uniforms current; counters start at zero.
   void begin(const FrameUniforms& uniforms);
+  /// Rooms, solids and spheres until endMirror are seen in the mirror floor.
+  void beginMirror(const FrameUniforms& uniforms);
+  void endMirror();
 
   // Into the scene, in this order:
   void background();
-  void beginRooms();
-  void room(const StaticMesh& mesh, const Vec3& offset);
+  /// Its dull faces, or the polished ones: those let the mirrored picture below them through.
+  void room(const StaticMesh& mesh, const Vec3& offset, bool polished);
   void solid(const MeshStore& store, const std::vector<std::uint32_t>& indices);
   void spheres(const std::vector<SphereInstance>& instances);
   void crumbs(const std::vector<PlaceInstance>& instances);
   void shadows(const std::vector<ShadowInstance>& instances, Target& target);
-  /// `refraction` [picture heights]: how far a fully tilted surface looks aside; 0: off, and then the colour copy is not read.
-  void glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction);
+  /// `refraction` [picture heights]: how far a fully tilted surface looks aside; 0: off, and then the colour copy is
+  /// not read. `cut`: the faces are where it broke.
+  void glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut);
   void edges(const MeshStore& store, const std::vector<EdgeInstance>& instances);
   void glows(const std::vector<PlaceInstance>& instances);
   void beams(const std::vector<BeamInstance>& instances);
 
   // Into the picture:
-  void composite(Target& target, const Vec4& tint, const Vec4& border);
+  /// `bloom`: how strongly bright places shine beyond their outline; 0 skips the stage.
+  void composite(Target& target, float bloom, const Vec4& tint, const Vec4& border);
   void hud(const std::vector<HudInstance>& instances);
 
   FrameCounters& counters() { return counters_; }
@@ -56,28 +62,40 @@ class Passes {
     kEdgeProgram,
     kGlowProgram,
     kBeamProgram,
+    kBrightProgram,
+    kBlurProgram,
     kCompositeProgram,
     kHudProgram,
     kPrograms
   };
+  /// The vec4s a program may have of its own.
+  enum Uniform { kOffset, kBend, kTint, kBorder, kTap, kUniforms };
   enum class Blend { Off, Over, Premultiplied, Add };
   enum class Depth { Off, Test, Write };
   enum class Faces { All, Front, Back };
 
   explicit Passes(const Gl& gl);
   void setState(Depth depth, Blend blend, Faces faces);
-  void use(Which which) { programs_[which].use(); }
+  Status build(Which which);
+  /// False, with a line in the log, if its shader does not compile.
+  bool use(Which which);
+  void set(Uniform uniform, const Vec4& value) const;
+  void drawScreen();
+  void bloom(Target& target);
   void drawTriangles(GLuint indexBuffer, const std::vector<std::uint32_t>& indices);
   void count(std::size_t triangles);
 
   const Gl& gl_;
   std::array<Program, kPrograms> programs_;
-  GlBuffer frameBlock_, materialBlock_;
+  std::array<bool, kPrograms> failed_{};
+  std::array<std::array<GLint, kUniforms>, kPrograms> locations_{};
+  Which current_ = kBackgroundProgram;
+  GlBuffer frameBlock_, mirrorBlock_, materialBlock_;
+  bool inMirror_ = false;
   GlVertexArray empty_;  // passes without attributes still need one bound
   GlTexture strokes_, tiles_;
   SphereBatch sphereBatch_;
   InstanceBatch crumbBatch_, glowBatch_, beamBatch_, shadowBatch_, edgeBatch_, hudBatch_;
-  GLint roomOffset_ = -1, glassBend_ = -1, compositeTint_ = -1, compositeBorder_ = -1;
   FrameCounters counters_;
 };
 

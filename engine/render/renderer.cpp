@@ -11,8 +11,8 @@ namespace brittle::render {
 
 namespace {
 
-constexpr int kMaxPicture = 16384;      // [pixels]
-constexpr float kRefraction = 0.07f;    // how far aside tilted glass looks [picture heights]; chosen by eye
+constexpr int kMaxPicture = 16384;    // [pixels]
+constexpr float kRefraction = 0.07f;  // how far aside tilted glass looks [picture heights]; chosen by eye
 
 }  // namespace
 
@@ -35,21 +35,22 @@ struct Renderer::Parts {
   std::vector<Material> materials;
   std::map<StaticId, StaticMesh> statics;
   StaticId nextStatic = 1;
-  std::vector<Group> stores;      // of the pools seen in the last frame
-  std::vector<Group*> groups;     // of this frame, farthest first
+  std::vector<Group> stores;   // of the pools seen in the last frame
+  std::vector<Group*> groups;  // of this frame, farthest first
   DrawListBuilder builder;
   Instances instances;
 
   Group& storeOf(const MeshGroup& group);
   void syncGroups(const Frame& frame, const View& view);
+  void drawRooms(const Frame& frame, bool polished);
+  void drawMirrored(const Frame& frame, const FrameUniforms& uniforms);
   void drawOpaque(const Frame& frame);
   void drawTranslucent();
 };
 
 Group& Renderer::Parts::storeOf(const MeshGroup& group) {
-  const auto known = std::find_if(stores.begin(), stores.end(), [&](const Group& g) {
-    return g.pool == group.pool && g.poolId == group.poolId;
-  });
+  const auto known = std::find_if(stores.begin(), stores.end(),
+                                  [&](const Group& g) { return g.pool == group.pool && g.poolId == group.poolId; });
   if (known != stores.end()) return *known;
   stores.push_back({group.poolId, group.pool, std::make_unique<MeshStore>(gl), {}});
   return stores.back();
@@ -76,13 +77,25 @@ void Renderer::Parts::syncGroups(const Frame& frame, const View& view) {
                    [](const Group* a, const Group* b) { return a->list.nearestGlass > b->list.nearestGlass; });
 }
 
-void Renderer::Parts::drawOpaque(const Frame& frame) {
-  BR_ZONE("render opaque");
-  passes->beginRooms();
+void Renderer::Parts::drawRooms(const Frame& frame, bool polished) {
   for (const VisibleStatic& visible : frame.statics) {
     const auto mesh = statics.find(visible.id);
-    if (mesh != statics.end()) passes->room(mesh->second, visible.offset);
+    if (mesh != statics.end()) passes->room(mesh->second, visible.offset, polished);
   }
+}
+
+void Renderer::Parts::drawMirrored(const Frame& frame, const FrameUniforms& uniforms) {
+  BR_ZONE("render mirror");
+  passes->beginMirror(uniforms);
+  drawRooms(frame, false);
+  for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
+  passes->spheres(instances.spheres);
+  passes->endMirror();
+}
+
+void Renderer::Parts::drawOpaque(const Frame& frame) {
+  BR_ZONE("render opaque");
+  for (const bool polished : {false, true}) drawRooms(frame, polished);
   for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
   passes->spheres(instances.spheres);
   passes->crumbs(instances.crumbs);
@@ -91,10 +104,13 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
 
 void Renderer::Parts::drawTranslucent() {
   BR_ZONE("render glass");
-  const bool hasGlass = std::any_of(groups.begin(), groups.end(), [](const Group* g) { return !g->list.glass.empty(); });
+  const bool hasGlass =
+      std::any_of(groups.begin(), groups.end(), [](const Group* g) { return !g->list.glass.empty(); });
   if (hasGlass && def.refraction) target->copyColor(kUnitColor);
   for (const Group* group : groups) {
-    passes->glass(*group->store, group->list.glass, def.refraction ? kRefraction : 0.0f);
+    for (const bool cut : {false, true})
+      passes->glass(*group->store, cut ? group->list.cuts : group->list.glass, def.refraction ? kRefraction : 0.0f,
+                    cut);
     passes->edges(*group->store, group->list.edges);
   }
   passes->beams(instances.beams);
@@ -126,33 +142,42 @@ void Renderer::resize(int width, int height) {
   parts_->target = std::make_unique<Target>(parts_->gl, width, height, parts_->def.samples, parts_->def.offscreen);
 }
 
-StaticId Renderer::createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices) {
-  BR_ASSERT(indices.size() % 3 == 0);
-  parts_->statics.try_emplace(parts_->nextStatic, parts_->gl, vertices, indices);
+StaticId Renderer::createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices,
+                                std::uint32_t polished) {
+  BR_ASSERT(indices.size() % 3 == 0 && polished % 3 == 0 && polished <= indices.size());
+  parts_->statics.try_emplace(parts_->nextStatic, parts_->gl, vertices, indices, polished);
   return parts_->nextStatic++;
 }
 
-void Renderer::destroyStatic(StaticId id) { parts_->statics.erase(id); }
+void Renderer::destroyStatic(StaticId id) {
+  parts_->statics.erase(id);
+}
 
 void Renderer::draw(const Frame& frame) {
   BR_ZONE("render");
   Parts& p = *parts_;
   const int width = p.target->width(), height = p.target->height();
   const View view = makeView(frame.camera, width, height);
-  p.passes->begin(makeFrameUniforms(frame, view, width, height));
+  const FrameUniforms uniforms = makeFrameUniforms(frame, view, width, height);
+  p.passes->begin(uniforms);
   p.syncGroups(frame, view);
   p.instances.pack(frame, view, width, height, p.def.shadows);
 
   p.target->bindScene();
   p.passes->background();
+  if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
   p.drawTranslucent();
-  p.passes->composite(*p.target, frame.tint, frame.border);
+  p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);
 }
 
-Image Renderer::readBack() { return parts_->target->readPicture(); }
+Image Renderer::readBack() {
+  return parts_->target->readPicture();
+}
 
-const FrameCounters& Renderer::counters() const { return parts_->passes->counters(); }
+const FrameCounters& Renderer::counters() const {
+  return parts_->passes->counters();
+}
 
 }  // namespace brittle::render

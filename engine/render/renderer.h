@@ -1,5 +1,6 @@
-// render/renderer.h - the whole renderer behind one class: it owns the GL objects, mirrors the mesh pool and draws frames.
-// Works on GLES 3.0 (the subset WebGL 2 has too), on a desktop core profile with ES3 compatibility, and on the null table.
+// render/renderer.h - the whole renderer behind one class: it owns the GL objects, mirrors the mesh pool and draws
+// frames. Works on GLES 3.0 (the subset WebGL 2 has too), on a desktop core profile with ES3 compatibility, and on the
+// null table.
 #pragma once
 
 #include <memory>
@@ -25,9 +26,10 @@ struct RendererDef {
 
 /// A vertex of baked room geometry; the layout of the level format's .mesh files.
 struct StaticVertex {
-  Vec3 point = Vec3::Zero();         // [m]
-  float u = 0.0f, v = 0.0f;          // in the tile atlas
-  std::uint32_t color = 0x80808080;  // rgb: half the colour times light; alpha: openness, 255 is open and 0 a deep corner
+  Vec3 point = Vec3::Zero();  // [m]
+  float u = 0.0f, v = 0.0f;   // in the tile atlas
+  std::uint32_t color =
+      0x80808080;  // rgb: half the colour times light; alpha: openness, 255 is open and 0 a deep corner
 };
 
 /// What the last frame cost.
@@ -46,12 +48,15 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Replaces the material table (at most kMaxMaterials); meshes and spheres with an index beyond it use the last entry.
+  /// Replaces the material table (at most kMaxMaterials); meshes and spheres with an index beyond it use the last
+  /// entry.
   void setMaterials(std::span<const Material> materials);
   void resize(int width, int height);
 
-  /// Uploads baked geometry: indices are triangles, counter-clockwise seen from the front.
-  StaticId createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices);
+  /// Uploads baked geometry: indices are triangles, counter-clockwise seen from the front; the last `polished` of them
+  /// mirror the room.
+  StaticId createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices,
+                        std::uint32_t polished = 0);
   void destroyStatic(StaticId id);
 
   /// Draws one picture. Uploads the dirty ranges of the frame's pools first and clears them.

@@ -79,7 +79,8 @@ void Program::bindPlaces() const {
   use();
   const std::pair<const char*, GLint> units[] = {{"bodyTexture", kUnitBodies}, {"shapeTexture", kUnitShapes},
                                                  {"colorTexture", kUnitColor}, {"depthTexture", kUnitDepth},
-                                                 {"tileTexture", kUnitTiles}, {"strokeTexture", kUnitStrokes}};
+                                                 {"tileTexture", kUnitTiles},  {"strokeTexture", kUnitStrokes},
+                                                 {"bloomTexture", kUnitBloom}};
   for (const auto& [name, unit] : units) gl_->Uniform1i(location(name), unit);
 }
 

@@ -1,4 +1,5 @@
-// render/shader.h - programs compiled from the sources in glsl_*.cpp, with every uniform block and texture unit bound by name.
+// render/shader.h - programs compiled from the sources in glsl_*.cpp, with every uniform block and texture unit bound
+// by name.
 #pragma once
 
 #include <string>
@@ -8,13 +9,23 @@
 
 namespace brittle::render {
 
-/// Uniform blocks and texture units have one fixed place for all programs; a program uses those its source names.
+/// Uniform blocks and texture units have one fixed place for all programs; a program uses those its source names. No
+/// program reads the scratch unit: textures made in the middle of a frame are bound there.
 enum BlockBinding : GLuint { kFrameBlock, kMaterialBlock };
-enum TextureUnit : GLint { kUnitBodies, kUnitShapes, kUnitColor, kUnitDepth, kUnitTiles, kUnitStrokes };
+enum TextureUnit : GLint {
+  kUnitBodies,
+  kUnitShapes,
+  kUnitColor,
+  kUnitDepth,
+  kUnitTiles,
+  kUnitStrokes,
+  kUnitBloom,
+  kUnitScratch
+};
 
 struct ProgramSource {
-  const char* name;      // for messages
-  const char* vertex;    // without the version line and the common part
+  const char* name;    // for messages
+  const char* vertex;  // without the version line and the common part
   const char* fragment;
 };
 
@@ -28,6 +39,7 @@ class Program {
   /// Fails with the program's name, the stage and the compiler's words.
   static Result<Program> build(const Gl& gl, const ProgramSource& source);
 
+  explicit operator bool() const { return name_ != 0; }
   void use() const { gl_->UseProgram(name_); }
   /// -1 if the program has no such uniform; setting -1 is legal and does nothing.
   GLint location(const char* uniform) const { return gl_->GetUniformLocation(name_, uniform); }

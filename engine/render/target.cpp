@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/assert.h"
+#include "engine/render/shader.h"
 
 namespace brittle::render {
 
@@ -22,7 +23,7 @@ Target::Target(const Gl& gl, int width, int height, int samples, bool offscreen)
     : gl_(gl), width_(width), height_(height), samples_(samples) {
   BR_ASSERT(width > 0 && height > 0);
   if (samples_ == 0) {
-    scene_ = makeCopy(kColorFormat, GL_COLOR_ATTACHMENT0);
+    scene_ = makeCopy(kColorFormat, GL_COLOR_ATTACHMENT0, width_, height_);
   } else {
     scene_.framebuffer = GlFramebuffer(gl_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
@@ -47,10 +48,11 @@ GlRenderbuffer Target::makeRenderbuffer(GLenum format, GLenum attachment, int sa
   return buffer;
 }
 
-Target::Copy Target::makeCopy(GLenum format, GLenum attachment) const {
+Target::Copy Target::makeCopy(GLenum format, GLenum attachment, int width, int height) const {
   Copy copy{GlTexture(gl_), GlFramebuffer(gl_)};
+  gl_.ActiveTexture(GL_TEXTURE0 + kUnitScratch);
   gl_.BindTexture(GL_TEXTURE_2D, copy.texture.name());
-  gl_.TexStorage2D(GL_TEXTURE_2D, 1, format, width_, height_);
+  gl_.TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
   const GLint filter = attachment == GL_DEPTH_ATTACHMENT ? GL_NEAREST : GL_LINEAR;
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -73,7 +75,8 @@ void Target::bindPicture() const {
 }
 
 void Target::blit(Copy& copy, GLenum format, GLbitfield what, GLint unit) {
-  if (!copy.texture) copy = makeCopy(format, what == GL_DEPTH_BUFFER_BIT ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0);
+  const GLenum attachment = what == GL_DEPTH_BUFFER_BIT ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0;
+  if (!copy.texture) copy = makeCopy(format, attachment, width_, height_);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, scene_.framebuffer.name());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, copy.framebuffer.name());
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, what, GL_NEAREST);
@@ -81,8 +84,12 @@ void Target::blit(Copy& copy, GLenum format, GLbitfield what, GLint unit) {
   bindTexture(gl_, unit, copy.texture.name());
 }
 
-void Target::copyColor(GLint unit) { blit(colorCopy_, kColorFormat, GL_COLOR_BUFFER_BIT, unit); }
-void Target::copyDepth(GLint unit) { blit(depthCopy_, kDepthFormat, GL_DEPTH_BUFFER_BIT, unit); }
+void Target::copyColor(GLint unit) {
+  blit(colorCopy_, kColorFormat, GL_COLOR_BUFFER_BIT, unit);
+}
+void Target::copyDepth(GLint unit) {
+  blit(depthCopy_, kDepthFormat, GL_DEPTH_BUFFER_BIT, unit);
+}
 
 void Target::resolve(GLint unit) {
   if (samples_ == 0) {
@@ -90,6 +97,17 @@ void Target::resolve(GLint unit) {
   } else {
     blit(resolved_, kColorFormat, GL_COLOR_BUFFER_BIT, unit);
   }
+}
+
+void Target::bindSmall(std::size_t which) {
+  Copy& small = small_[which];
+  if (!small.texture) small = makeCopy(kColorFormat, GL_COLOR_ATTACHMENT0, smallWidth(), smallHeight());
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, small.framebuffer.name());
+  gl_.Viewport(0, 0, smallWidth(), smallHeight());
+}
+
+void Target::useSmall(std::size_t which, GLint unit) const {
+  bindTexture(gl_, unit, small_[which].texture.name());
 }
 
 Image Target::readPicture() const {

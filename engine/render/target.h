@@ -1,7 +1,10 @@
-// render/target.h - the framebuffers of a picture: the scene (multisampled or not), copies of its colour and depth that later passes
-// read, and the finished picture when there is no window. Made for one size.
+// render/target.h - the framebuffers of a picture: the scene (multisampled or not), copies of its colour and depth that
+// later passes read, and the finished picture when there is no window. Made for one size.
 #pragma once
 
+#include <array>
+
+#include "engine/math/types.h"
 #include "engine/render/capture.h"
 #include "engine/render/gl_object.h"
 
@@ -22,6 +25,11 @@ class Target {
   void copyDepth(GLint unit);
   /// Binds the scene's colour, resolved, to `unit`.
   void resolve(GLint unit);
+  /// Draws go to one of two small pictures, `kSmall` times narrower and lower, made on first use.
+  void bindSmall(std::size_t which);
+  void useSmall(std::size_t which, GLint unit) const;
+  int smallWidth() const { return maxOf(width_ / kSmall, 1); }
+  int smallHeight() const { return maxOf(height_ / kSmall, 1); }
   Image readPicture() const;
 
  private:
@@ -29,15 +37,17 @@ class Target {
     GlTexture texture;
     GlFramebuffer framebuffer;
   };
-  Copy makeCopy(GLenum format, GLenum attachment) const;
+  static constexpr int kSmall = 4;
+  Copy makeCopy(GLenum format, GLenum attachment, int width, int height) const;
   void blit(Copy& copy, GLenum format, GLbitfield what, GLint unit);
   GlRenderbuffer makeRenderbuffer(GLenum format, GLenum attachment, int samples) const;
 
   const Gl& gl_;
   int width_, height_, samples_;
-  Copy scene_;                            // without multisampling its colour is a texture
+  Copy scene_;  // without multisampling its colour is a texture
   GlRenderbuffer sceneColor_, sceneDepth_;
   Copy colorCopy_, depthCopy_, resolved_;
+  std::array<Copy, 2> small_;
   GlFramebuffer picture_;
   GlRenderbuffer pictureColor_;
 };

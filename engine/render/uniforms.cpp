@@ -8,7 +8,9 @@ namespace brittle::render {
 
 namespace {
 
-std::array<float, 4> pack(const Vec3& v, float w) { return {v.x(), v.y(), v.z(), w}; }
+std::array<float, 4> pack(const Vec3& v, float w) {
+  return {v.x(), v.y(), v.z(), w};
+}
 
 Mat4 makeViewProjection(const View& view, float nearPlane, float farPlane) {
   Mat4 toCamera = Mat4::Identity();
@@ -25,6 +27,18 @@ Mat4 makeViewProjection(const View& view, float nearPlane, float farPlane) {
   toClip(2, 3) = 2.0f * farPlane * nearPlane / (nearPlane - farPlane);
   toClip(3, 2) = -1.0f;
   return toClip * toCamera;
+}
+
+void setSurroundings(const Surroundings& from, FrameUniforms& block) {
+  const std::size_t lamps = minOf(from.lamps.size(), kMostMirroredLamps);
+  block.room = {from.low.x(), from.low.y(), from.high.x(), from.high.y()};
+  block.lampColor = pack(decodeColor(from.lampColor), static_cast<float>(lamps));
+  const Rgb* const sides[] = {&from.left, &from.right, &from.floor, &from.ceiling};
+  for (std::size_t i = 0; i < 4; ++i) block.walls[i] = pack(decodeColor(sides[i]->cwiseMin(1.0f)), 0.0f);
+  for (std::size_t i = 0; i < lamps; ++i) {
+    block.lampPlace[i] = pack(from.lamps[i].center, from.lamps[i].light);
+    block.lampForm[i] = pack(from.lamps[i].halfExtents, 0.0f);
+  }
 }
 
 }  // namespace
@@ -70,9 +84,23 @@ FrameUniforms makeFrameUniforms(const Frame& frame, const View& view, int width,
   const auto visible = [](const Rgb& c) { return decodeColor(c.cwiseMax(0.0f).cwiseMin(1.0f)); };
   block.low = pack(visible(frame.fog.bottom), 0.0f);
   block.high = pack(visible(frame.fog.top), 0.0f);
+  setSurroundings(frame.surroundings, block);
+  block.mirror = {frame.mirrorHeight.value_or(0.0f), frame.mirrorHeight ? 1.0f : 0.0f, 0.0f, 0.0f};
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   block.picture = {w, h, 1.0f / w, 1.0f / h};
   return block;
+}
+
+FrameUniforms mirrored(FrameUniforms uniforms, const View& view, float height) {
+  Mat4 flip = Mat4::Identity();
+  flip(1, 1) = -1.0f;
+  flip(1, 3) = 2.0f * height;
+  const Mat4 viewProjection = view.viewProjection * flip;
+  for (int i = 0; i < 16; ++i) uniforms.viewProjection[static_cast<std::size_t>(i)] = viewProjection(i % 4, i / 4);
+  for (std::array<float, 4>* axis : {&uniforms.right, &uniforms.up, &uniforms.forward}) (*axis)[1] = -(*axis)[1];
+  uniforms.eye[1] = 2.0f * height - uniforms.eye[1];
+  uniforms.mirror = {};
+  return uniforms;
 }
 
 MaterialUniforms makeMaterialUniforms(std::span<const Material> materials) {

@@ -1,4 +1,5 @@
-// render/uniforms.h - the uniform blocks of the shaders as plain memory, and how a frame and a material table fill them.
+// render/uniforms.h - the uniform blocks of the shaders as plain memory, and how a frame and a material table fill
+// them.
 #pragma once
 
 #include <array>
@@ -16,6 +17,10 @@ struct FrameUniforms {
   std::array<float, 4> toLight{}, lightColor{};
   std::array<float, 4> picture{};
   std::array<float, 4> low{}, high{};
+  std::array<float, 4> room{}, lampColor{};
+  std::array<std::array<float, 4>, 4> walls{};  // left, right, floor, ceiling
+  std::array<std::array<float, 4>, kMostMirroredLamps> lampPlace{}, lampForm{};
+  std::array<float, 4> mirror{};  // height of the mirror floor, 1 if there is one
 };
 
 /// Mirrors MaterialBlock.
@@ -39,6 +44,9 @@ struct View {
 /// Picture size in pixels, both at least 1.
 View makeView(const Camera& camera, int width, int height);
 FrameUniforms makeFrameUniforms(const Frame& frame, const View& view, int width, int height);
+/// The same scene as seen in a level mirror at `height` [m]: the eye below it, everything upside down on the picture.
+/// Front faces turn the other way round.
+FrameUniforms mirrored(FrameUniforms uniforms, const View& view, float height);
 MaterialUniforms makeMaterialUniforms(std::span<const Material> materials);
 
 /// sRGB-encoded to linear, the same polynomial as in the shaders.

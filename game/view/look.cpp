@@ -1,7 +1,5 @@
 #include "game/view/look.h"
 
-#include "game/view/lamps.h"
-
 namespace brittle::view {
 namespace {
 
@@ -15,16 +13,29 @@ render::BakeBox boxOf(const sim::LookBox& from) {
     box.tileSize[i] = from.tileSize[i];
     box.tileRotation[i] = from.tileRotation[i];
   }
+  box.glow = from.glow;
+  box.reflects = from.reflects;
   return box;
 }
 
 /// What reaches an end of the segment goes on in its neighbour, as far as it can darken: else walls would be lighter at
-/// every seam.
-void addContinuation(const sim::LookBox& box, float length, std::vector<Aabb>& beyond) {
+/// every seam. Lamps are taken to go on in the same distances.
+void addContinuation(const render::BakeBox& box, float length, std::vector<render::BakeBox>& beyond) {
   constexpr float kReach = 4.0f, kNear = 0.05f;  // [m]
-  const Vec3 low = box.center - box.halfExtents, high = box.center + box.halfExtents;
-  if (high.z() > -kNear) beyond.push_back({Vec3(low.x(), low.y(), high.z()), high + Vec3(0.0f, 0.0f, kReach)});
-  if (low.z() < kNear - length) beyond.push_back({low - Vec3(0.0f, 0.0f, kReach), Vec3(high.x(), high.y(), low.z())});
+  const float front = box.center.z() + box.halfExtents.z(), back = box.center.z() - box.halfExtents.z();
+  render::BakeBox next = box;
+  if (box.glow > 0.0f) {
+    for (const float shift : {length, -length}) {
+      next.center.z() = box.center.z() + shift;
+      beyond.push_back(next);
+    }
+    return;
+  }
+  next.halfExtents.z() = 0.5f * kReach;
+  next.center.z() = front + 0.5f * kReach;
+  if (front > -kNear) beyond.push_back(next);
+  next.center.z() = back - 0.5f * kReach;
+  if (back < kNear - length) beyond.push_back(next);
 }
 
 }  // namespace
@@ -35,7 +46,7 @@ std::vector<render::Material> materials() {
   const auto of = [&table](sim::Look look) -> render::Material& { return table[static_cast<std::size_t>(look)]; };
   of(Static) = {.color = {0.80f, 0.82f, 0.84f}, .gloss = 0.2f};
   of(Glass) = {
-      .look = render::Look::Glass, .color = {0.97f, 1.0f, 1.0f}, .gloss = 0.9f, .clarity = 0.85f, .edge = 0.9f};
+      .look = render::Look::Glass, .color = {0.97f, 1.0f, 1.0f}, .gloss = 0.9f, .clarity = 0.94f, .edge = 0.9f};
   of(Metal) = {.color = {0.86f, 0.88f, 0.92f}, .metalness = 1.0f, .gloss = 0.55f};
   of(Wood) = {.color = {0.74f, 0.55f, 0.38f}, .gloss = 0.25f};
   of(Stone) = {.color = {0.72f, 0.72f, 0.74f}, .gloss = 0.15f};
@@ -46,18 +57,15 @@ std::vector<render::Material> materials() {
 }
 
 render::BakedMesh bakeSegment(const sim::SegmentLook& look) {
-  std::vector<render::BakeBox> boxes;
-  std::vector<Aabb> beyond;
+  std::vector<render::BakeBox> boxes, beyond;
   for (const sim::LookBox& box : look.boxes) {
     boxes.push_back(boxOf(box));
-    addContinuation(box, look.length, beyond);
+    addContinuation(boxes.back(), look.length, beyond);
   }
   render::BakeDef def;
   def.light = {look.light[0], look.light[1], look.light[2], look.light[3], look.light[4], look.light[5]};
   def.beyond = beyond;
-  render::BakedMesh mesh = render::bake(boxes, def);
-  lightByLamps(look, mesh);
-  return mesh;
+  return render::bake(boxes, def);
 }
 
 }  // namespace brittle::view

@@ -9,6 +9,7 @@
 #include "game/view/look.h"
 #include "game/view/particles.h"
 #include "game/view/shadows.h"
+#include "game/view/surroundings.h"
 
 namespace brittle::view {
 namespace {
@@ -18,7 +19,8 @@ constexpr float kRopeRadius = 0.012f;    // [m]
 constexpr float kRopeAngle = 0.0022f;    // and at least this much of its distance
 constexpr float kLaserRadius = 0.05f;    // [m]
 constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
-constexpr float kCrashShake = 0.7f;      // of the most, at the moment of a crash
+constexpr float kBloom = 0.55f;
+constexpr float kCrashShake = 0.7f;  // of the most, at the moment of a crash
 
 float smooth(float t) {
   return t * t * (3.0f - 2.0f * t);
@@ -120,6 +122,9 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   placeCamera(tick);
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
+  frame_.surroundings = surroundingsOf(seen_);
+  frame_.mirrorHeight = mirrorHeightOf(seen_);
+  frame_.bloom = kBloom;
   addRooms(pools);
   addThings();
   addParticles(seen_, memory_, tick, aspect, frame_);

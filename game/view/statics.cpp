@@ -17,7 +17,8 @@ render::StaticId Statics::meshOf(const sim::SegmentLook& look) {
     return known->second.id;
   }
   const render::BakedMesh baked = bakeSegment(look);
-  const render::StaticId id = baked.indices.empty() ? 0 : renderer_.createStatic(baked.vertices, baked.indices);
+  const render::StaticId id =
+      baked.indices.empty() ? 0 : renderer_.createStatic(baked.vertices, baked.indices, baked.polished);
   meshes_[look.name] = {id, shows_};
   return id;
 }

@@ -2,7 +2,7 @@
 
 function init()
 	mgMusic("gallery")
-	mgFogColor(0.30, 0.20, 0.32, 1.0, 0.80, 0.64)
+	mgFogColor(0.52, 0.32, 0.46, 1.0, 0.87, 0.72)
 	mgReverb(0.5, 1.0, 0.2)
 	mgParticles("dustyfalling")
 

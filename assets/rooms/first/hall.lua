@@ -2,7 +2,7 @@
 
 function init()
 	mgMusic("hall")
-	mgFogColor(0.17, 0.32, 0.42, 0.70, 0.86, 0.92)
+	mgFogColor(0.30, 0.52, 0.64, 0.88, 0.96, 0.92)
 	mgReverb(0.35, 0.7, 0.3)
 	mgParticles("fallinglite")
 

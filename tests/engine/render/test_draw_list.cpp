@@ -42,6 +42,21 @@ TEST_F(DrawLists, ShowsOneFaceOfACubeAhead) {
   EXPECT_TRUE(list_.opaque.empty());
 }
 
+TEST_F(DrawLists, KeepsCutFacesOfGlassApart) {
+  Convex above, below;
+  geometry::SplitScratch scratch;
+  ASSERT_EQ(geometry::split<float>(cube(), planeThrough(Vec3::Zero(), Vec3::UnitZ()), {}, scratch, above, below),
+            geometry::SplitOutcome::Split);
+  add(below, Vec3(0.0f, 0.0f, -3.0f));  // the half whose cut looks at the camera
+  EXPECT_TRUE(build().glass.empty());
+  EXPECT_EQ(list_.cuts.size(), 6u);
+}
+
+TEST_F(DrawLists, ShowsTheFarFacesOfDimGlass) {
+  add(cube(), Vec3(0.0f, 0.0f, -3.0f), kCrystal);
+  EXPECT_EQ(build().glass.size(), 36u);
+}
+
 TEST_F(DrawLists, ShowsThreeFacesOfACubeSeenFromItsCorner) {
   add(cube(), Vec3(-1.0f, -1.0f, -3.0f), kMetal);
   EXPECT_EQ(build().opaque.size(), 18u);

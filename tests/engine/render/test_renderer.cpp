@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/core/log.h"
 #include "engine/geometry/make.h"
 #include "engine/render/gl_null.h"
 
@@ -25,7 +26,8 @@ class RendererOnNull : public ::testing::Test {
     g.poolId = group + 1;
     const auto body = static_cast<std::uint32_t>(g.bodies.size());
     g.bodies.push_back({Vec3(0.0f, 0.0f, -4.0f), Quat::Identity()});
-    g.meshes.push_back({pool.add(geometry::makeBox<float>(Vec3(0.5f, 0.5f, 0.5f)), body, material), body, material, kWhite});
+    g.meshes.push_back(
+        {pool.add(geometry::makeBox<float>(Vec3(0.5f, 0.5f, 0.5f)), body, material), body, material, kWhite});
   }
   void TearDown() override {
     EXPECT_THAT(null_.complaints(), IsEmpty());
@@ -42,6 +44,50 @@ TEST_F(RendererOnNull, DrawsOnlyFogAndPictureOfAnEmptyFrame) {
   renderer_->draw(Frame{});
   EXPECT_EQ(null_.draws().size(), 2u);
   EXPECT_EQ(null_.calls("BlitFramebuffer"), 0u);  // no effect that nothing asks for
+}
+
+TEST_F(RendererOnNull, BuildsWhatAFrameAsksForAndNoMore) {
+  auto made = Renderer::create(null_.table(), {.width = 320, .height = 180});
+  ASSERT_TRUE(made) << made.error().message;
+  renderer_ = std::move(*made);
+  EXPECT_EQ(null_.calls("CreateProgram"), 2u);  // fog and picture
+  const std::size_t atFirst = null_.liveObjects();
+  renderer_->draw(Frame{});
+  EXPECT_EQ(null_.calls("CreateProgram"), 2u);
+  EXPECT_EQ(null_.liveObjects(), atFirst);
+  Frame frame;
+  frame.spheres.push_back({Vec3(0.0f, 0.0f, -3.0f)});
+  frame.sphereShadow = 0.0f;
+  renderer_->draw(frame);
+  renderer_->draw(frame);
+  EXPECT_EQ(null_.calls("CreateProgram"), 3u);
+}
+
+TEST_F(RendererOnNull, BloomIsThreeSmallDraws) {
+  make();
+  Frame frame;
+  frame.bloom = 0.5f;
+  const std::size_t before = null_.liveObjects();
+  renderer_->draw(frame);
+  EXPECT_EQ(null_.draws().size(), 5u);
+  EXPECT_EQ(null_.liveObjects(), before + 2 * 2 + 2);  // two small pictures, two programs
+}
+
+TEST_F(RendererOnNull, AMirrorFloorShowsRoomsSolidsAndSpheresAgain) {
+  make();
+  geometry::MeshPool pool;
+  const std::vector<StaticVertex> vertices(6);
+  const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5};
+  Frame frame;
+  frame.statics.push_back({renderer_->createStatic(vertices, indices, 3), Vec3(0.0f, 0.0f, -3.0f)});
+  addCube(frame, pool, kMetal);
+  frame.spheres.push_back({Vec3(0.0f, 0.0f, -3.0f)});
+  frame.sphereShadow = 0.0f;
+  renderer_->draw(frame);
+  EXPECT_EQ(null_.draws().size(), 6u);  // fog, room, its polished floor, solid, spheres, picture
+  frame.mirrorHeight = -1.0f;
+  renderer_->draw(frame);
+  EXPECT_EQ(null_.draws().size(), 6u + 6u + 3u);
 }
 
 TEST_F(RendererOnNull, DrawsEachKindOfThingInOneCall) {
@@ -140,6 +186,21 @@ TEST_F(RendererOnNull, ReadsBackItsSize) {
   const Image image = renderer_->readBack();
   EXPECT_EQ(image.width, 100);
   EXPECT_EQ(image.pixels.size(), 100u * 50u * 4u);
+}
+
+TEST_F(RendererOnNull, GoesOnWithoutAPassWhoseShaderFails) {
+  make();
+  std::string logged;
+  const LogSink old = setLogSink([&logged](LogLevel, std::string_view line) { logged += line; });
+  null_.failNextShader("no such thing");
+  Frame frame;
+  frame.spheres.push_back({Vec3(0.0f, 0.0f, -3.0f)});
+  frame.sphereShadow = 0.0f;
+  renderer_->draw(frame);
+  renderer_->draw(frame);
+  setLogSink(old);
+  EXPECT_EQ(logged, "shader sphere (vertex): no such thing");  // once
+  EXPECT_EQ(null_.draws().size(), 4u);
 }
 
 TEST_F(RendererOnNull, FailsWithTheShadersMessage) {

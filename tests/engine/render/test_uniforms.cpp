@@ -37,6 +37,31 @@ TEST(View, SeesSpheresThatTouchThePyramid) {
   EXPECT_FALSE(view.sees(Vec3(2.88675f + 0.117f, 0.0f, -5.0f), 0.1f, 25.0f));
 }
 
+TEST(Uniforms, OfAMirrorPutThingsWhereTheirImagesAre) {
+  Frame frame;
+  frame.camera.position = Vec3(0.3f, 1.0f, 2.0f);
+  frame.camera.rotation = rotationAbout(Vec3::UnitY(), 0.2f) * rotationAbout(Vec3::UnitX(), -0.3f);
+  const View view = makeView(frame.camera, 320, 180);
+  const FrameUniforms seen = mirrored(makeFrameUniforms(frame, view, 320, 180), view, -1.0f);
+  Mat4 viewProjection;
+  for (int i = 0; i < 16; ++i) viewProjection(i % 4, i / 4) = seen.viewProjection[static_cast<std::size_t>(i)];
+  const Vec3 point(0.5f, 0.4f, -4.0f), image(0.5f, -2.4f, -4.0f);
+  const Vec4 clip = viewProjection * Vec4(point.x(), point.y(), point.z(), 1.0f);
+  EXPECT_LT((Vec3(clip.head<3>() / clip.w()) - toPicture(view, image)).norm(), 1e-5f);
+  // The depth that fog goes by is that of the way over the mirror.
+  const Vec3 eye(seen.eye[0], seen.eye[1], seen.eye[2]), forward(seen.forward[0], seen.forward[1], seen.forward[2]);
+  EXPECT_NEAR(forward.dot(point - eye), view.depthOf(image), 1e-5f);
+}
+
+TEST(Uniforms, TakeTheFirstLampsOfTheSurroundings) {
+  Frame frame;
+  frame.surroundings.lamps.resize(kMostMirroredLamps + 3);
+  frame.surroundings.lamps[1].center = Vec3(1.0f, 2.0f, 3.0f);
+  const FrameUniforms block = makeFrameUniforms(frame, makeView(frame.camera, 320, 180), 320, 180);
+  EXPECT_EQ(block.lampColor[3], static_cast<float>(kMostMirroredLamps));
+  EXPECT_EQ(block.lampPlace[1], (std::array<float, 4>{1.0f, 2.0f, 3.0f, 1.0f}));
+}
+
 TEST(Uniforms, RepeatTheLastMaterial) {
   const std::vector<Material> materials = builtInMaterials();
   const MaterialUniforms block = makeMaterialUniforms(materials);

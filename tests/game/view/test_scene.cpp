@@ -63,8 +63,8 @@ TEST_F(SceneOnNull, DrawsOncePerMaterialHoweverManyThingsThereAre) {
   packet.rooms[0].crumbs.resize(50, packet.rooms[0].crumbs[0]);
   ++packet.tick;
   EXPECT_EQ(drawsOf(scene, packet), few);
-  // fog, room, opaque convexes, balls, crumbs, shadows, glass, edges, picture, HUD
-  EXPECT_EQ(few, 10u);
+  // fog, room, opaque convexes, balls, crumbs, shadows, glass, edges, three of the bloom, picture, HUD
+  EXPECT_EQ(few, 13u);
 }
 
 TEST_F(SceneOnNull, LeavesOutWhatTheBakedRoomShows) {

@@ -54,7 +54,8 @@ class Filler {
     group_.meshes.push_back({gallery_.pool.add(colored, body, material), body, material, kWhite});
   }
 
-  void addThing(const Convex& convex, const Vec3& position, const Quat& rotation, std::uint16_t material, const Rgb& color) {
+  void addThing(const Convex& convex, const Vec3& position, const Quat& rotation, std::uint16_t material,
+                const Rgb& color) {
     addMesh(convex, addBody(position, rotation), material, color);
   }
 
@@ -86,15 +87,18 @@ void addBrokenPane(Filler& filler, const Vec3& at, const Vec3& half, int cuts, c
   }
 }
 
-void addBlock(Filler& filler, const Vec3& at, const Quat& turned, const Rgb& color, int cuts, float apart, std::uint64_t seed) {
+void addBlock(Filler& filler, const Vec3& at, const Quat& turned, const Rgb& color, int cuts, float apart,
+              std::uint64_t seed) {
   Random random(seed);
-  for (const Convex& piece : shatter(geometry::makeBox<float>(Vec3(0.35f, 0.35f, 0.35f)), cuts, false, Vec3::Zero(), 0.15f, random)) {
+  for (const Convex& piece :
+       shatter(geometry::makeBox<float>(Vec3(0.35f, 0.35f, 0.35f)), cuts, false, Vec3::Zero(), 0.15f, random)) {
     Vec3 center = Vec3::Zero();
     for (const geometry::Vertex& vertex : piece.vertices) center += vertex.point;
     center /= static_cast<float>(piece.vertices.size());
     const Vec3 axis = randomUnit(random);
     const Quat rotation = rotationAbout(axis, apart * 1.5f) * turned;
-    filler.addThing(piece, at + turned * (apart * center) - rotation * center + turned * center, rotation, kCrystal, color);
+    filler.addThing(piece, at + turned * (apart * center) - rotation * center + turned * center, rotation, kCrystal,
+                    color);
   }
   filler.gallery_.frame.shadows.push_back({at, 0.4f, 0.45f});
 }
@@ -103,8 +107,11 @@ void addFrame(Filler& filler, const Vec3& at, float width, float height) {
   const Rgb grey(0.9f, 0.9f, 0.95f);
   const std::uint32_t body = filler.addBody(at, Quat::Identity());
   for (const float side : {-1.0f, 1.0f}) {
-    filler.addMesh(geometry::makeBox<float>(Vec3(0.06f, height, 0.06f), Vec3(side * width, 0.0f, 0.0f)), body, kMetal, grey);
-    filler.addMesh(geometry::makeBox<float>(Vec3(width - 0.06f, 0.06f, 0.06f), Vec3(0.0f, side * (height - 0.06f), 0.0f)), body, kMetal, grey);
+    filler.addMesh(geometry::makeBox<float>(Vec3(0.06f, height, 0.06f), Vec3(side * width, 0.0f, 0.0f)), body, kMetal,
+                   grey);
+    filler.addMesh(
+        geometry::makeBox<float>(Vec3(width - 0.06f, 0.06f, 0.06f), Vec3(0.0f, side * (height - 0.06f), 0.0f)), body,
+        kMetal, grey);
   }
 }
 
@@ -120,6 +127,7 @@ std::vector<BakeBox> roomBoxes() {
     boxes.push_back(box);
   };
   add(Vec3(0.0f, -1.5f, -16.0f), Vec3(4.0f, 0.5f, 16.0f), floor, 8);
+  boxes.back().reflects = true;
   add(Vec3(-4.5f, 1.5f, -16.0f), Vec3(0.5f, 3.5f, 16.0f), wall, 16);
   add(Vec3(4.5f, 1.5f, -16.0f), Vec3(0.5f, 3.5f, 16.0f), wall, 16);
   for (int i = 0; i < 5; ++i) {
@@ -135,7 +143,8 @@ std::vector<BakeBox> roomBoxes() {
 
 void addBalls(Frame& frame) {
   Random random(7);
-  const Vec3 places[] = {Vec3(-0.9f, -0.75f, -3.2f), Vec3(0.75f, 0.6f, -3.6f), Vec3(-0.1f, -0.75f, -5.2f), Vec3(1.2f, -0.75f, -4.6f)};
+  const Vec3 places[] = {Vec3(-0.9f, -0.75f, -3.2f), Vec3(0.75f, 0.6f, -3.6f), Vec3(-0.1f, -0.75f, -5.2f),
+                         Vec3(1.2f, -0.75f, -4.6f)};
   for (const Vec3& place : places) {
     Sphere ball;
     ball.position = place;
@@ -162,7 +171,8 @@ void addLights(Frame& frame) {
 void addHud(Frame& frame) {
   frame.texts.push_back({{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.09f)}, 0.075f, HudAlign::Center, kWhite, "25"});
   frame.texts.push_back({{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.06f)}, 0.035f, HudAlign::Center, kWhite, "1204 m"});
-  frame.arcs.push_back({{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.09f)}, 0.105f, 0.118f, 0.0f, 1.0f, packRgba(Rgb::Ones(), 0.25f)});
+  frame.arcs.push_back(
+      {{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.09f)}, 0.105f, 0.118f, 0.0f, 1.0f, packRgba(Rgb::Ones(), 0.25f)});
   frame.arcs.push_back({{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.09f)}, 0.105f, 0.118f, 0.0f, 0.7f, kWhite});
 }
 
@@ -179,16 +189,20 @@ void fillGallery(Gallery& gallery) {
   Filler filler(gallery);
   addBrokenPane(filler, Vec3(0.1f, 0.4f, -5.8f), Vec3(1.1f, 1.2f, 0.03f), 13, Rgb(0.75f, 0.95f, 0.98f), 3);
   addFrame(filler, Vec3(0.1f, 0.4f, -5.8f), 1.2f, 1.3f);
-  filler.addThing(geometry::makeBox<float>(Vec3(1.3f, 0.9f, 0.03f)), Vec3(-2.0f, 0.9f, -9.0f), rotationAbout(Vec3::UnitY(), 0.5f),
-                  kGlass, Rgb(0.95f, 0.75f, 0.85f));
-  filler.addThing(geometry::makeBox<float>(Vec3(1.3f, 0.9f, 0.03f)), Vec3(2.0f, 0.9f, -10.5f), rotationAbout(Vec3::UnitY(), -0.5f),
-                  kGlass, Rgb(0.75f, 0.95f, 0.80f));
-  addBlock(filler, Vec3(-1.9f, -0.02f, -5.0f), rotationAbout(Vec3::UnitY(), 0.6f), Rgb(0.35f, 0.75f, 0.95f), 0, 0.0f, 5);
+  filler.addThing(geometry::makeBox<float>(Vec3(1.3f, 0.9f, 0.03f)), Vec3(-2.0f, 0.9f, -9.0f),
+                  rotationAbout(Vec3::UnitY(), 0.5f), kGlass, Rgb(0.95f, 0.75f, 0.85f));
+  filler.addThing(geometry::makeBox<float>(Vec3(1.3f, 0.9f, 0.03f)), Vec3(2.0f, 0.9f, -10.5f),
+                  rotationAbout(Vec3::UnitY(), -0.5f), kGlass, Rgb(0.75f, 0.95f, 0.80f));
+  addBlock(filler, Vec3(-1.9f, -0.02f, -5.0f), rotationAbout(Vec3::UnitY(), 0.6f), Rgb(0.35f, 0.75f, 0.95f), 0, 0.0f,
+           5);
   addBlock(filler, Vec3(2.1f, 0.25f, -6.5f), rotationAbout(Vec3::UnitY(), 0.2f), Rgb(0.98f, 0.62f, 0.30f), 5, 0.25f, 6);
-  filler.addThing(geometry::makeCylinder(0.3f, 0.5f, 24), Vec3(-2.8f, -0.5f, -7.5f), Quat::Identity(), kMetal, Rgb(1.0f, 0.85f, 0.6f));
+  filler.addThing(geometry::makeCylinder(0.3f, 0.5f, 24), Vec3(-2.8f, -0.5f, -7.5f), Quat::Identity(), kMetal,
+                  Rgb(1.0f, 0.85f, 0.6f));
   addBalls(frame);
   addLights(frame);
   addHud(frame);
+  frame.bloom = 0.5f;
+  frame.mirrorHeight = -1.0f;
   gallery.room = bake(roomBoxes(), BakeDef{.light = {.top = 1.1f, .bottom = 0.7f}});
 }
 

@@ -34,7 +34,7 @@ class Studio {
     return draw(gallery.frame);
   }
   StaticId addStatic(const BakedMesh& mesh) {
-    return renderer_ != nullptr ? renderer_->createStatic(mesh.vertices, mesh.indices) : 0;
+    return renderer_ != nullptr ? renderer_->createStatic(mesh.vertices, mesh.indices, mesh.polished) : 0;
   }
 
  private:
@@ -61,7 +61,9 @@ Vec3 pixel(const Image& image, int x, int y) {
   return Vec3(p[0], p[1], p[2]);
 }
 
-float brightness(const Image& image, int x, int y) { return pixel(image, x, y).mean(); }
+float brightness(const Image& image, int x, int y) {
+  return pixel(image, x, y).mean();
+}
 
 /// Fog so thin and grey that what is tested stands alone.
 Frame clearAir() {
@@ -216,6 +218,54 @@ TEST(Pictures, DarkenTheFloorUnderABall) {
   EXPECT_LT(brightness(with, 160, 96), 0.75f * brightness(without, 160, 96));
   EXPECT_EQ(pixel(with, 40, 150), pixel(without, 40, 150));  // elsewhere nothing changes
   EXPECT_EQ(pixel(with, 160, 20), pixel(without, 160, 20));
+}
+
+TEST(Pictures, ShowABallInAMirrorFloor) {
+  BakeBox floor;
+  floor.center = Vec3(0.0f, -1.5f, -8.0f);
+  floor.halfExtents = Vec3(5.0f, 0.5f, 8.0f);
+  floor.color.fill(Rgb::Constant(0.2f));
+  floor.reflects = true;
+  Studio studio(kSmall);
+  Frame frame = clearAir();
+  frame.light.ambient = 1.0f;
+  const BakedMesh mesh = bake(std::span(&floor, 1), {});
+  const StaticId id = mesh.polished > 0 ? studio.addStatic(mesh) : 0;
+  frame.statics.push_back({id, Vec3::Zero()});
+  frame.spheres.push_back({Vec3(0.0f, 0.0f, -9.0f), 0.3f, Quat::Identity(), kMatte, packRgba(Rgb(1.0f, 0.1f, 0.1f))});
+  frame.sphereShadow = 0.0f;
+  const auto redness = [](const Vec3& c) { return c.x() - c.y(); };
+  const int down = 90 + static_cast<int>(2.0f / 9.0f / (0.57735f / 320.0f * 180.0f) * 90.0f);  // the image is at y = -2
+  EXPECT_LT(redness(pixel(studio.draw(frame), 160, down)), 4.0f);
+  frame.mirrorHeight = -1.0f;
+  EXPECT_GT(redness(pixel(studio.draw(frame), 160, down)), 20.0f);
+}
+
+TEST(Pictures, ShineBeyondTheOutlineOfBrightThings) {
+  Studio studio(kSmall);
+  Frame frame = clearAir();
+  frame.fog.bottom = frame.fog.top = Rgb::Constant(0.1f);
+  frame.glows.push_back({Vec3(0.0f, 0.0f, -3.0f), 0.5f, kWhite});
+  for (int i = 0; i < 4; ++i) frame.glows.push_back(frame.glows[0]);
+  const Image plain = studio.draw(frame);
+  frame.bloom = 1.0f;
+  const Image shining = studio.draw(frame);
+  EXPECT_GT(brightness(shining, 160 + 34, 90), brightness(plain, 160 + 34, 90) + 4.0f);
+  EXPECT_EQ(pixel(shining, 20, 20), pixel(plain, 20, 20));
+}
+
+TEST(Pictures, ShowLampsAndWallsInABall) {
+  Studio studio(kSmall);
+  Frame frame = clearAir();
+  frame.spheres.push_back({Vec3(0.0f, 1.0f, -1.2f), 0.4f});
+  frame.camera.position = Vec3(0.0f, 1.0f, 0.0f);
+  frame.surroundings.left = Rgb(1.0f, 0.1f, 0.1f);
+  frame.surroundings.right = Rgb(0.1f, 0.1f, 1.0f);
+  const Image dark = studio.draw(frame);
+  EXPECT_GT(pixel(dark, 100, 90).x(), 1.3f * pixel(dark, 100, 90).z());
+  EXPECT_GT(pixel(dark, 220, 90).z(), 1.3f * pixel(dark, 220, 90).x());
+  frame.surroundings.lamps.push_back({Vec3(0.0f, 4.0f, -1.0f), Vec3(0.5f, 0.02f, 0.5f), 1.0f});
+  EXPECT_GT(compare(studio.draw(frame), dark).largest, 60);
 }
 
 TEST(Pictures, BendWhatIsBehindGlass) {
