@@ -87,11 +87,12 @@ Samples glassBreak(float size, Random& random) {
 Samples shardRain(Random& random) {
   Samples samples(samplesIn(1.5f), 0.0f);
   for (int i = 0; i < 46; ++i) {
-    const float early = random.nextFloat(0.0f, 0.45f);
+    const float first = random.nextFloat(0.0f, 0.3f);
+    const float second = random.nextFloat(0.0f, 0.3f);
     const float late = waitFor(0.16f, random);
     const float side = perOctave(0.018f, 0.09f, random);
     const float strength = random.nextFloat(0.15f, 1.0f);
-    addShard(samples, early + late, side, strength * strength * exponential(-2.5f * late), false, random);
+    addShard(samples, first + second + late, side, strength * strength * exponential(-2.5f * late), false, random);
   }
   return samples;
 }

@@ -39,7 +39,7 @@ Samples onStone(Random& random) {
 
 Samples onMetal(Random& random) {
   Samples samples(samplesIn(1.4f), 0.0f);
-  const Ring ring{5200.0f, 0.0035f, 1.1f, 0.12f};
+  const Ring ring{5200.0f, 0.002f, 1.0f, 0.12f};
   addThud(samples, 130.0f, 0.12f, 0.3f, random);
   addNoise(samples, {0, 0.02f, 0.0002f, 0.010f, 4200.0f, 3000.0f, 1.4f, 0.6f}, random);
   const float side = random.nextFloat(0.42f, 0.5f);

@@ -18,11 +18,11 @@ float between(const float* s, float t) {
 }  // namespace
 
 float Voices::Voice::loudness() const {
-  return maxOf(def.left, def.right) * def.clip->loudestFrom(static_cast<std::size_t>(position >> 32));
+  return def.worth * maxOf(def.left, def.right) * def.clip->loudestFrom(static_cast<std::size_t>(position >> 32));
 }
 
 bool Voices::play(const VoiceDef& def) {
-  BR_ASSERT(def.clip != nullptr && isFinite(def.left) && isFinite(def.right) && isFinite(def.send));
+  BR_ASSERT(def.clip != nullptr && isFinite(def.left) && isFinite(def.right) && isFinite(def.send * def.worth));
   BR_ASSERT(def.pitch >= 0.0625f && def.pitch <= 16.0f && def.cutoff > 0.0f);
   Voice fresh;
   fresh.def = def;

@@ -20,6 +20,7 @@ struct VoiceDef {
   float pitch = 1.0f;               // 2: an octave up; from 1/16 to 16
   float cutoff = kHighestCutoff;    // of a low-pass [Hz]
   std::uint32_t delay = 0;          // until it begins [samples]
+  float worth = 1.0f;               // times its loudness when voices are short: above 1 it is kept longer
 };
 
 class Voices {
@@ -38,7 +39,7 @@ class Voices {
     float step = 1.0f;           // of the low-pass
     OnePole lowPass;
     bool plays() const { return def.clip != nullptr; }
-    /// The loudest it will still be.
+    /// The loudest it will still be, times its worth.
     float loudness() const;
     void render(std::uint64_t stride, Block& dry, Block* send);
   };

@@ -4,12 +4,26 @@ namespace brittle::effects {
 
 const char* nameOf(Effect effect) {
   switch (effect) {
-    case Effect::Fracture: return "fracture";
-    case Effect::Joints: return "joints";
-    case Effect::Drives: return "drives";
-    case Effect::Debris: return "debris";
-    case Effect::Fog: return "fog";
-    case Effect::Count: break;
+    case Effect::Fracture:
+      return "fracture";
+    case Effect::Joints:
+      return "joints";
+    case Effect::Drives:
+      return "drives";
+    case Effect::Debris:
+      return "debris";
+    case Effect::Fog:
+      return "fog";
+    case Effect::Reverb:
+      return "reverb";
+    case Effect::Echo:
+      return "echo";
+    case Effect::LowPass:
+      return "low-pass";
+    case Effect::Music:
+      return "music";
+    case Effect::Count:
+      break;
   }
   return "none";
 }

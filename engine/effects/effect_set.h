@@ -1,4 +1,5 @@
-// effects/effect_set.h - which effects a scene calls for, and who asked. An effect that nobody demands has no stage that runs.
+// effects/effect_set.h - which effects a scene calls for, and who asked. An effect that nobody demands has no stage
+// that runs.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 namespace brittle::effects {
 
 /// Anything that costs time or memory and that a scene can do without.
-enum class Effect : std::uint8_t { Fracture, Joints, Drives, Debris, Fog, Count };
+enum class Effect : std::uint8_t { Fracture, Joints, Drives, Debris, Fog, Reverb, Echo, LowPass, Music, Count };
 
 const char* nameOf(Effect effect);
 

@@ -22,7 +22,7 @@ enum class EventType : std::uint8_t {
   DoorOpens,
   RoomEntered,  // value: the room's number
   Multiball,    // value: the new number of balls per throw
-  Sound,        // a script asked for one; value: index into Game::soundNames()
+  Sound,        // a script asked for one; value: index into FramePacket::soundNames; size: how loud, 0 to 1
   GameOver,
   LevelDone,  // the last room of the level is passed
   Begin,      // the title is left
@@ -32,10 +32,11 @@ enum class EventType : std::uint8_t {
 struct Event {
   EventType type = EventType::Hit;
   Look look = Look::Glass;        // of what broke or was hit
+  Look striker = Look::Static;    // Hit: of what hit it; a ball if there is one, else the smaller of the two
   Vec3 point = Vec3::Zero();      // [m]
   Vec3 direction = Vec3::Zero();  // the way the striker went, unit (Throw: velocity [m/s])
   float speed = 0.0f;             // approach speed [m/s]
-  float size = 0.0f;              // of what broke: cube root of its volume [m]
+  float size = 0.0f;              // of what broke, Hit: of the striker; cube root of its volume [m]
   float impulse = 0.0f;           // [N s]
   std::int32_t value = 0;
   std::uint32_t pieces = 0;  // Break: new bodies

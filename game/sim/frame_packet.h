@@ -138,6 +138,7 @@ struct FramePacket {
   std::vector<RoomView> rooms;           // the current one first
   std::vector<BallView> balls;
   std::vector<Event> events;
+  std::vector<std::string> soundNames;  // that scripts play
   Hud hud;
 };
 

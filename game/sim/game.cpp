@@ -254,6 +254,7 @@ void Game::copyFrame(FramePacket& packet) const {
   track.current().copyView(packet.rooms[0], packet.balls);
   if (track.next() != nullptr) track.next()->copyView(packet.rooms[1], packet.balls);
   packet.events = session.events;
+  packet.soundNames = session.soundNames;
   packet.hud = impl_->hud;
 }
 

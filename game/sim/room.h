@@ -80,6 +80,13 @@ class Room {
     }
   };
 
+  /// One of two that met.
+  struct Party {
+    Look look = Look::Static;
+    float size = 0.0f;  // cube root of its volume [m]; 0: of the room
+    bool isBall = false;
+  };
+
   void updateShift(float distance);
   void buildSegments(float distance);
   void buildSegment(std::size_t index);
@@ -88,6 +95,8 @@ class Room {
   void breakByCamera(physics::BodyHandle handle, const Vec3& point);
   void readBreak(const physics::BreakEvent& broken);
   void readHit(const physics::HitEvent& hit);
+  void pressButton(physics::BodyHandle handle);
+  Party partyOf(physics::BodyHandle handle);
   void removeBehind();
   void settleObstacles(const std::vector<std::uint32_t>& bodiesOf);
   bool checkLasers() const;

@@ -1,4 +1,5 @@
-// What a room makes of its world's events, and what it throws away: broken things, hit buttons, crystals, what fell or lies behind.
+// What a room makes of its world's events, and what it throws away: broken things, hit buttons, crystals, what fell or
+// lies behind.
 #include <algorithm>
 
 #include "game/sim/room.h"
@@ -48,32 +49,51 @@ void Room::readBreak(const physics::BreakEvent& broken) {
   emit(event);
 }
 
+Room::Party Room::partyOf(physics::BodyHandle handle) {
+  Party party;
+  if (!world_->isAlive(handle)) return party;
+  const physics::Body& body = world_->body(handle);
+  party.isBall = (body.userData & kBallBit) != 0;
+  if (party.isBall) party.look = Look::Ball;
+  const Obstacle* obstacle = obstacleOf(body.userData);
+  if (obstacle == nullptr) return party;
+  for (const ScriptBody& made : obstacle->bodies)
+    if (made.assembly == body.assembly) party.look = made.look;
+  if (body.mass > 0.0f && body.firstShape) {
+    const float density = maxOf(world_->shape(body.firstShape).surface.density, 1e-3f);
+    party.size = static_cast<float>(power(static_cast<double>(body.mass / density), 1.0 / 3.0));
+  }
+  return party;
+}
+
+void Room::pressButton(physics::BodyHandle handle) {
+  Obstacle* obstacle = world_->isAlive(handle) ? obstacleOf(world_->body(handle).userData) : nullptr;
+  if (obstacle == nullptr) return;
+  for (ScriptButton& button : obstacle->buttons) {
+    if (obstacle->bodies[button.body - 1].handle != handle) continue;
+    button.justPressed = !button.down;
+    button.down = true;
+  }
+}
+
 void Room::readHit(const physics::HitEvent& hit) {
+  Party struck = partyOf(hit.a), striker = partyOf(hit.b);
+  const bool isSmaller = struck.size > 0.0f && (striker.size == 0.0f || struck.size < striker.size);
+  if (struck.isBall || (!striker.isBall && isSmaller)) std::swap(struck, striker);
+  if (striker.isBall) {
+    pressButton(hit.a);
+    pressButton(hit.b);
+  }
   Event event;
   event.type = EventType::Hit;
   event.point = hit.point;
   event.direction = hit.normal;
   event.speed = hit.speed;
   event.impulse = hit.impulse;
-  event.look = Look::Static;
-  bool byBall = false;
-  for (const physics::BodyHandle handle : {hit.a, hit.b}) {
-    if (!world_->isAlive(handle)) continue;
-    const physics::Body& body = world_->body(handle);
-    byBall = byBall || (body.userData & kBallBit) != 0;
-    if (Obstacle* obstacle = obstacleOf(body.userData)) {
-      for (const ScriptBody& made : obstacle->bodies)
-        if (made.assembly == body.assembly) event.look = made.look;
-      for (ScriptButton& button : obstacle->buttons) {
-        const bool isThis = obstacle->bodies[button.body - 1].handle == handle;
-        if (isThis && (world_->body(hit.a).userData & kBallBit) + (world_->body(hit.b).userData & kBallBit) != 0) {
-          button.justPressed = !button.down;
-          button.down = true;
-        }
-      }
-    }
-  }
-  event.value = byBall ? 1 : 0;
+  event.look = struck.look;
+  event.striker = striker.look;
+  event.size = striker.size;
+  event.value = striker.isBall ? 1 : 0;
   emit(event);
 }
 
@@ -91,8 +111,9 @@ void Room::removeBehind() {
     }
   });
   for (const physics::BodyHandle handle : doomed) world_->destroyBody(handle);
-  balls_.erase(std::remove_if(balls_.begin(), balls_.end(), [this](const Ball& ball) { return !world_->isAlive(ball.body); }),
-               balls_.end());
+  balls_.erase(
+      std::remove_if(balls_.begin(), balls_.end(), [this](const Ball& ball) { return !world_->isAlive(ball.body); }),
+      balls_.end());
   settleObstacles(bodiesOf);
 }
 

@@ -1,4 +1,8 @@
-// The calls of room scripts: they lay out segments and obstacles and set the room's length, light and sound while init() runs.
+// The calls of room scripts: they lay out segments and obstacles and set the room's length, light and sound while
+// init() runs.
+#include <cstdio>
+#include <iterator>
+
 #include "engine/core/random.h"
 #include "engine/script/sandbox.h"
 #include "game/content/number.h"
@@ -20,9 +24,9 @@ struct Builder {
   const RoomEntry& entry;
   std::map<std::string, std::string>& globals;
   RoomPlan plan;
-  float placed = 0.0f;                       // end of the last segment [m]
+  float placed = 0.0f;  // end of the last segment [m]
   std::vector<Choice> choices;
-  int last = -1;                             // the choice made last
+  int last = -1;  // the choice made last
   Vec3 boxColor = Vec3::Ones();
   int boxTile = 0;
 };
@@ -45,7 +49,8 @@ void segment(script::Call& call, Builder& builder) {
   const float start = call.has(2) ? -call.real(2) : builder.placed;
   if (call.failed()) return;
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many segments");
-  if (!(start > -1000.0f && start < 10000.0f)) return call.fail("place " + std::to_string(start) + ": expected -1000 to 10000");
+  if (!(start > -1000.0f && start < 10000.0f))
+    return call.fail("place " + std::to_string(start) + ": expected -1000 to 10000");
   const float length = placeSegment(builder.session, name, start, builder.plan);
   builder.placed = maxOf(builder.placed, start + length);
   call.result(length);
@@ -59,7 +64,8 @@ void confSegment(script::Call& call, Builder& builder) {
   if (!call.failed() && choice.weight > 0.0 && builder.choices.size() < 1000) builder.choices.push_back(choice);
 }
 
-/// Weighted, never the same twice in a row unless there is no other. All used up: they start again, so that a room is always filled.
+/// Weighted, never the same twice in a row unless there is no other. All used up: they start again, so that a room is
+/// always filled.
 void nextSegment(script::Call& call, Builder& builder) {
   if (builder.choices.empty()) return call.fail("no segment has been offered with confSegment");
   double total = 0.0;
@@ -82,7 +88,8 @@ void nextSegment(script::Call& call, Builder& builder) {
 void length(script::Call& call, Builder& builder) {
   const float metres = call.real(1);
   if (call.failed()) return;
-  if (!(metres >= 8.0f && metres <= 4000.0f)) return call.fail("length " + std::to_string(metres) + ": expected 8 to 4000");
+  if (!(metres >= 8.0f && metres <= 4000.0f))
+    return call.fail("length " + std::to_string(metres) + ": expected 8 to 4000");
   builder.plan.settings.length = metres;
 }
 
@@ -110,7 +117,8 @@ void box(script::Call& call, Builder& builder) {
   const Vec3 half = vectorAt(call, 1);
   const Vec3 center = vectorAt(call, 4);
   if (call.failed()) return;
-  if (!(half.minCoeff() > 0.001f && half.maxCoeff() < 5000.0f)) return call.fail("box: half extents from 0.001 to 5000 expected");
+  if (!(half.minCoeff() > 0.001f && half.maxCoeff() < 5000.0f))
+    return call.fail("box: half extents from 0.001 to 5000 expected");
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many boxes");
   PlannedSegment made;
   made.start = -(center.z() + half.z());
@@ -138,12 +146,41 @@ void fogColor(script::Call& call, Builder& builder) {
   builder.plan.settings.fogTop = second;
 }
 
-template <int count, float (RoomSettings::*field)[count]>
-void setValues(script::Call& call, Builder& builder) {
-  float values[count];
-  for (int i = 0; i < count; ++i) values[i] = call.real(i + 1, 0.0f);
+struct Range {
+  float low, high;
+};
+constexpr Range kReverb[] = {{0.0f, 1.0f}, {0.0f, 10.0f}, {0.0f, 1.0f}};  // volume, time [s], low-pass
+constexpr Range kEcho[] = {
+    {0.0f, 1.0f}, {0.0f, 2.0f}, {0.0f, 0.95f}, {0.0f, 1.0f}};  // volume, delay [s], feedback, low-pass
+constexpr Range kLowPass = {0.0f, 1.0f};
+
+/// A number of the room's sound. What is beyond its range counts as the end of it, and is reported.
+float limited(script::Call& call, Builder& builder, int index, const Range& range) {
+  const float asked = call.real(index, 0.0f);
+  const float value = clampTo(asked, range.low, range.high);
+  if (value == asked || call.failed()) return value;
+  char text[80];
+  std::snprintf(text, sizeof text, ": argument %d is %g, expected %g to %g", index, static_cast<double>(asked),
+                static_cast<double>(range.low), static_cast<double>(range.high));
+  builder.session.report(call.where() + text);
+  return value;
+}
+
+template <auto field, const auto& ranges, effects::Effect effect>
+void setEcho(script::Call& call, Builder& builder) {
+  float values[std::size(ranges)];
+  for (std::size_t i = 0; i < std::size(ranges); ++i)
+    values[i] = limited(call, builder, static_cast<int>(i) + 1, ranges[i]);
   if (call.failed()) return;
-  for (int i = 0; i < count; ++i) (builder.plan.settings.*field)[i] = values[i];
+  for (std::size_t i = 0; i < std::size(ranges); ++i) (builder.plan.settings.*field)[i] = values[i];
+  if (values[0] > 0.0f) builder.session.effects.demand(effect, call.where());
+}
+
+void setLowPass(script::Call& call, Builder& builder) {
+  const float amount = limited(call, builder, 1, kLowPass);
+  if (call.failed()) return;
+  builder.plan.settings.lowPass = amount;
+  if (amount > 0.0f) builder.session.effects.demand(effects::Effect::LowPass, call.where());
 }
 
 template <float RoomSettings::*field>
@@ -156,6 +193,13 @@ template <std::string RoomSettings::*field>
 void setName(script::Call& call, Builder& builder) {
   const std::string value = call.string(1);
   if (!call.failed()) builder.plan.settings.*field = value;
+}
+
+void setMusic(script::Call& call, Builder& builder) {
+  const std::string name = call.string(1);
+  if (call.failed()) return;
+  builder.plan.settings.music = name;
+  if (!name.empty() && name != "silent") builder.session.effects.demand(effects::Effect::Music, call.where());
 }
 
 void rotation(script::Call& call, Builder& builder) {
@@ -265,10 +309,10 @@ void addLayoutCalls(script::Library& library) {
 
 void addMoodCalls(script::Library& library) {
   add(library, "mgFogColor", fogColor);
-  add(library, "mgReverb", setValues<3, &RoomSettings::reverb>);
-  add(library, "mgEcho", setValues<4, &RoomSettings::echo>);
-  add(library, "mgLowPass", setValue<&RoomSettings::lowPass>);
-  add(library, "mgMusic", setName<&RoomSettings::music>);
+  add(library, "mgReverb", setEcho<&RoomSettings::reverb, kReverb, effects::Effect::Reverb>);
+  add(library, "mgEcho", setEcho<&RoomSettings::echo, kEcho, effects::Effect::Echo>);
+  add(library, "mgLowPass", setLowPass);
+  add(library, "mgMusic", setMusic);
   add(library, "mgParticles", setName<&RoomSettings::particles>);
   add(library, "mgGravity", setValue<&RoomSettings::gravity>);
   add(library, "mgSetDifficulty", setValue<&RoomSettings::difficulty>);
@@ -289,7 +333,8 @@ const script::Library& roomLibrary() {
 
 }  // namespace
 
-RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed, std::map<std::string, std::string>& globals) {
+RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
+                  std::map<std::string, std::string>& globals) {
   Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0};
   script::Sandbox sandbox(roomLibrary(), seed, {}, &builder);
   const std::string path = "rooms/" + entry.type + ".lua";

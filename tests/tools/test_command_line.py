@@ -160,6 +160,30 @@ class CommandLine(unittest.TestCase):
         for name in ["frame_000100.png", "frame_000150.png"]:
             self.assertEqual((whole / name).read_bytes(), (part / name).read_bytes(), name)
 
+    def test_the_sound_of_a_range_is_cut_out_of_the_whole(self):
+        sounds = {}
+        for name, frames in [("whole", "0..150"), ("again", "0..150"), ("begin", "0..100"), ("end", "90..150")]:
+            path = self.folder / f"{name}.wav"
+            result = brittle("render", self.replay, "--sound", path, "--frames", frames)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            sounds[name] = path.read_bytes()[44:]
+        tick = 800 * 4
+        self.assertEqual(len(sounds["whole"]), 151 * tick)
+        self.assertEqual(sounds["whole"], sounds["again"])
+        self.assertEqual(sounds["whole"][:101 * tick], sounds["begin"])
+        self.assertEqual(sounds["whole"][90 * tick:], sounds["end"])
+        self.assertTrue(any(sounds["whole"][60 * tick:]), "a ball was thrown and nothing is heard")
+
+    def test_a_sound_file_that_cannot_be_written(self):
+        self.refused("render", self.replay, "--sound", self.folder / "none" / "a.wav", says="cannot be written")
+
+    def test_without_an_audio_device_the_game_is_silent_and_says_so(self):
+        environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="nosuchdriver")
+        for arguments, lines in [([], 1), (["--mute"], 0)]:
+            result = brittle("play", "--frames", "5", "--size", "160x90", *arguments, env=environment)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stderr.count("no sound: "), lines, result.stderr)
+
     def test_without_gl_it_says_what_is_missing(self):
         environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=str(self.folder / "nowhere"))
         before = sorted(self.folder.rglob("*"))

@@ -36,6 +36,7 @@ void addPlay(CLI::App& app, Action& action) {
   command->add_option("--frames", options->frames, "end after so many frames (default: when the window is closed)")
       ->type_name("N");
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
+  command->add_flag("--mute", options->mute, "without sound");
   command->footer(
       "Touch or click: throw. P: pause. R: restart. Escape: leave.\n\nExamples:\n"
       "  brittle play\n  brittle play first --seed 7 --record game.brt");
@@ -44,11 +45,12 @@ void addPlay(CLI::App& app, Action& action) {
 
 void addRender(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "render a replay to pictures, without a display");
+  CLI::App* command =
+      app.add_subcommand("render", "render a replay to pictures and sound, without a display or device");
   command->add_option("REPLAY", options->replay, "a recorded game (.brt)")->required();
   command->add_option("--out", options->out, "folder for frame_000600.png and so on; made if it is missing")
-      ->required()
       ->type_name("DIR");
+  command->add_option("--sound", options->sound, "the frames' sound as a WAV file")->type_name("FILE");
   command->add_option("--size", options->size, "size of the pictures [pixels]")
       ->capture_default_str()
       ->type_name("WxH");
@@ -65,7 +67,8 @@ void addRender(CLI::App& app, Action& action) {
   addAssets(*command, options->assets);
   command->footer(
       "Examples:\n  brittle render game.brt --out frames --size 1280x720 --frames 600..900\n"
-      "  brittle render game.brt --out frames --every 60 --backend osmesa");
+      "  brittle render game.brt --out frames --every 60 --backend osmesa\n"
+      "  brittle render game.brt --sound game.wav");
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

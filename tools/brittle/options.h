@@ -38,11 +38,12 @@ struct PlayOptions {
   GameOptions game;
   std::string record;        // empty: nothing is recorded
   std::uint32_t frames = 0;  // 0: until the window is closed
+  bool mute = false;
   std::string size = "1280x720";
 };
 
 struct RenderOptions {
-  std::string replay, out, assets;
+  std::string replay, out, sound, assets;  // out, sound: empty if it is not asked for
   std::string size = "640x360";
   std::string frames;  // empty: all
   std::uint32_t every = 1;

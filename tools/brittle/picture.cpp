@@ -42,6 +42,10 @@ void Picture::ticked(sim::Game& game) {
   parts_->scene->tick(parts_->packet);
 }
 
+const sim::FramePacket& Picture::packet() const {
+  return parts_->packet;
+}
+
 void Picture::restarted() {
   parts_->scene->reset();
 }

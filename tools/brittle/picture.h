@@ -21,6 +21,8 @@ class Picture {
 
   /// Tells the view what a tick brought; after every tick.
   void ticked(sim::Game& game);
+  /// What the last tick brought.
+  const sim::FramePacket& packet() const;
   /// Another game follows: forgets everything about the last one.
   void restarted();
   /// Draws between the last two ticks: 0 the one before, 1 the last.

@@ -10,6 +10,7 @@
 #include "tools/brittle/game.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/saved.h"
+#include "tools/brittle/speakers.h"
 
 namespace brittle::program {
 namespace {
@@ -30,10 +31,11 @@ std::vector<std::string> levelNames(const content::AssetSource& assets) {
 class Player : public runtime::Client {
  public:
   Player(const content::AssetSource& assets, std::unique_ptr<GameSimulation> simulation, Picture& picture,
-         const PlayOptions& options, sim::Progress& progress)
+         Speakers* speakers, const PlayOptions& options, sim::Progress& progress)
       : assets_(assets),
         simulation_(std::move(simulation)),
         picture_(picture),
+        speakers_(speakers),
         options_(options),
         progress_(progress),
         levels_(levelNames(assets)) {
@@ -45,7 +47,7 @@ class Player : public runtime::Client {
     simulation_->tick(input);
     keepCheckpoint();
     if (recorder_) recorder_->record(input, *simulation_);
-    picture_.ticked(simulation_->game());
+    show();
   }
   void draw(float alpha, runtime::PictureSize size, bool paused) override {
     picture_.draw(simulation_->game(), alpha, size, paused);
@@ -62,7 +64,11 @@ class Player : public runtime::Client {
  private:
   void begin() {
     if (!options_.record.empty()) recorder_.emplace(startOf(simulation_->game()));
+    show();
+  }
+  void show() {
     picture_.ticked(simulation_->game());
+    if (speakers_ != nullptr) speakers_->ticked(picture_.packet());
   }
   bool wantsNext(const replay::InputFrame& input) const {
     const bool isAtEnd = game().isOver() && game().hud().phaseTicks > kEndTicks;
@@ -79,12 +85,14 @@ class Player : public runtime::Client {
     if (!fresh) return;  // the level was deleted while it was played: go on with this game
     simulation_ = std::move(*fresh);
     picture_.restarted();
+    if (speakers_ != nullptr) speakers_->restarted();
     begin();
   }
 
   const content::AssetSource& assets_;
   std::unique_ptr<GameSimulation> simulation_;
   Picture& picture_;
+  Speakers* speakers_;  // null: in silence
   const PlayOptions& options_;
   sim::Progress& progress_;
   const std::vector<std::string> levels_;
@@ -125,7 +133,9 @@ int play(const PlayOptions& options) {
   const auto picture = Picture::create(**opened, 4);
   if (!picture) return refuse(picture.error());
 
-  Player player(**assets, std::move(*simulation), **picture, options, progress);
+  const std::unique_ptr<Speakers> speakers = options.mute ? nullptr : Speakers::open();
+
+  Player player(**assets, std::move(*simulation), **picture, speakers.get(), options, progress);
   runtime::Loop loop(**opened, player);
   while (loop.frame()) {
   }

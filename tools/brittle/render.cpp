@@ -1,12 +1,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
+#include "game/sim/constants.h"
 #include "game/view/memory.h"
 #include "platform/headless/headless.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/progress.h"
+#include "tools/brittle/soundtrack.h"
 
 namespace brittle::program {
 namespace {
@@ -84,34 +87,57 @@ Status renderFrames(const Job& job) {
   }
 }
 
+/// The frames as pictures, on a simulation of their own.
+Status renderPictures(const RenderOptions& options, const replay::Replay& replay, const FrameRange& frames,
+                      GameSimulation& simulation) {
+  const Result<Size> size = parseSize(options.size);
+  if (!size) return size.error();
+  const Result<platform::HeadlessBackend> backend = backendOf(options.backend);
+  if (!backend) return backend.error();
+  const runtime::PictureSize pictureSize{size->width, size->height};
+  const auto headless = platform::createHeadless(*backend, pictureSize);
+  if (!headless) return headless.error();
+  const auto picture = Picture::create(**headless, options.samples);
+  if (!picture) return picture.error();
+  const Status folder = prepareFolder(options.out);
+  if (!folder) return folder;
+  const Status rendered =
+      renderFrames({replay, simulation, **picture, pictureSize, frames, options.every, options.out});
+  if (!rendered) return rendered;
+  std::printf("%s: %u pictures of %dx%d\n", options.out.c_str(), (frames.last - frames.first) / options.every + 1,
+              size->width, size->height);
+  return Done{};
+}
+
+Status renderSound(const RenderOptions& options, const replay::Replay& replay, const FrameRange& frames,
+                   GameSimulation& simulation) {
+  const Status written = writeSoundtrack(replay, simulation, frames, options.sound);
+  if (!written) return written;
+  std::printf("%s: %.2f s of sound\n", options.sound.c_str(),
+              static_cast<double>(frames.last - frames.first + 1) / sim::rules::kTickRate);
+  return Done{};
+}
+
 }  // namespace
 
 int render(const RenderOptions& options) {
-  const Result<Size> size = parseSize(options.size);
-  if (!size) return refuse(size.error());
-  const Result<platform::HeadlessBackend> backend = backendOf(options.backend);
-  if (!backend) return refuse(backend.error());
+  if (options.out.empty() && options.sound.empty())
+    return refuse({"--out DIR for pictures or --sound FILE is needed (brittle render --help)"});
   const Result<replay::Replay> replay = loadReplay(options.replay);
   if (!replay) return refuse(replay.error());
   const Result<FrameRange> frames = framesOf(options.frames, replay->ticks());
   if (!frames) return refuse(frames.error());
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
-  const auto simulation = openReplay(**assets, *replay, options.replay);
-  if (!simulation) return refuse(simulation.error());
-  const runtime::PictureSize pictureSize{size->width, size->height};
-  const auto headless = platform::createHeadless(*backend, pictureSize);
-  if (!headless) return refuse(headless.error());
-  const auto picture = Picture::create(**headless, options.samples);
-  if (!picture) return refuse(picture.error());
-  const Status folder = prepareFolder(options.out);
-  if (!folder) return refuse(folder.error());
-
-  const Status rendered =
-      renderFrames({*replay, **simulation, **picture, pictureSize, *frames, options.every, options.out});
-  if (!rendered) return refuse(rendered.error());
-  std::printf("%s: %u pictures of %dx%d\n", options.out.c_str(), (frames->last - frames->first) / options.every + 1,
-              size->width, size->height);
+  using Write = Status (*)(const RenderOptions&, const replay::Replay&, const FrameRange&, GameSimulation&);
+  const std::pair<const std::string&, Write> outputs[] = {{options.out, renderPictures}, {options.sound, renderSound}};
+  for (const auto& [path, write] : outputs) {
+    if (path.empty()) continue;
+    const auto simulation = openReplay(**assets, *replay, options.replay);
+    if (!simulation) return refuse(simulation.error());
+    const Status written = write(options, *replay, *frames, **simulation);
+    if (!written) return refuse(written.error());
+  }
   return kDone;
 }
 

@@ -1,0 +1,99 @@
+#include "game/view/sound.h"
+
+#include "engine/core/log.h"
+#include "engine/math/trig.h"
+#include "game/view/music.h"
+
+namespace brittle::view {
+namespace {
+
+constexpr std::uint64_t kStream = 0x50554e44;
+constexpr float kMusicWorth =
+    8.0f;                         // a chord that stops in the middle is noticed sooner than a shard that does not fall
+constexpr float kDetune = 0.05f;  // sounds of things differ by up to this share of their pitch; notes do not
+
+audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random) {
+  const std::uint32_t any = random.nextBelow(bank.variations(cue.sound));
+  const float detune = random.nextFloat(1.0f - kDetune, 1.0f + kDetune);
+  const bool isNote = cue.sound == audio::Sound::Note;
+  audio::VoiceDef voice;
+  voice.clip = &bank.clip(cue.sound, cue.variation < 0 ? any : static_cast<std::uint32_t>(cue.variation));
+  voice.left = cue.gain * cue.placement.left;
+  voice.right = cue.gain * cue.placement.right;
+  voice.send = cue.placement.send;
+  voice.cutoff = cue.placement.cutoff;
+  voice.pitch = isNote ? cue.pitch : cue.pitch * detune;
+  voice.delay = static_cast<std::uint32_t>(audio::samplesIn(cue.delay));
+  return voice;
+}
+
+audio::VoiceDef voiceOf(const MusicNote& note, const audio::Instruments& instruments) {
+  const audio::Instruments::Tone tone = instruments.tone(note.instrument, note.note);
+  const float angle = 0.25f * kPi * (1.0f + note.side);
+  audio::VoiceDef voice;
+  voice.clip = tone.clip;
+  voice.pitch = tone.pitch;
+  voice.left = note.gain * cosine(angle);
+  voice.right = note.gain * sine(angle);
+  voice.send = 0.5f;
+  voice.worth = kMusicWorth;
+  return voice;
+}
+
+}  // namespace
+
+void Sound::tick(const sim::FramePacket& packet) {
+  enterRoom(packet);
+  for (const sim::Event& event : packet.events) reportUnknown(event, packet.soundNames);
+  Random random(mixSeed(kStream, packet.tick));
+  for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) mixer_.play(voiceOf(cue, mixer_.bank(), random));
+  streak_ = packet.hud.streak;
+  playMusic(packet);
+}
+
+void Sound::playMusic(const sim::FramePacket& packet) {
+  if (packet.rooms.empty() || !hasMusic(packet.rooms.front().music)) return;
+  const std::int32_t tick = musicTickOf(packet);
+  if (tick == musicTick_) return;  // the game stands still
+  musicTick_ = tick;
+  if (!instruments_) instruments_ = std::make_unique<audio::Instruments>();
+  for (const MusicNote& note : notesAt(packet.rooms.front().music, tick)) mixer_.play(voiceOf(note, *instruments_));
+}
+
+std::int32_t musicTickOf(const sim::FramePacket& packet) {
+  const bool isTitle = packet.hud.phase == sim::Phase::Title;
+  return isTitle ? static_cast<std::int32_t>(packet.hud.phaseTicks) : packet.rooms.front().ticks;
+}
+
+void Sound::enterRoom(const sim::FramePacket& packet) {
+  if (packet.rooms.empty() || (knowsRoom_ && packet.rooms.front().number == room_)) return;
+  knowsRoom_ = true;
+  room_ = packet.rooms.front().number;
+  mixer_.setAcoustics(acousticsOf(packet.rooms.front()));
+}
+
+void Sound::reportUnknown(const sim::Event& event, const std::vector<std::string>& names) {
+  if (event.type != sim::EventType::Sound || event.value < 0 || static_cast<std::size_t>(event.value) >= names.size())
+    return;
+  const std::string& name = names[static_cast<std::size_t>(event.value)];
+  if (soundNamed(name) || !unknown_.insert(name).second) return;
+  logWarning("sound " + name + ": no sound here goes by that name, it stays silent");
+}
+
+void Sound::reset() {
+  mixer_.silence();
+  knowsRoom_ = false;
+  musicTick_ = -1;
+  masking_ = {};
+  streak_ = 0;
+}
+
+audio::Acoustics acousticsOf(const sim::RoomView& room) {
+  audio::Acoustics asked;
+  asked.reverb = {room.reverb[0], room.reverb[1], room.reverb[2]};
+  asked.echo = {room.echo[0], room.echo[1], room.echo[2], room.echo[3]};
+  asked.lowPass = room.lowPass;
+  return audio::withinLimits(asked);
+}
+
+}  // namespace brittle::view
