@@ -10,11 +10,9 @@ namespace {
 // of panes and blocks have 6 to 24 vertices.
 constexpr std::size_t kRoomVertices = 48, kRoomFaces = 32, kRoomEdges = 144;
 
-/// Ids of earlier breakings mean nothing in this one.
-void forgetOlderCuts(std::uint32_t cut, geometry::Convex& convex) {
-  for (geometry::Face& face : convex.faces) {
-    if (face.cut != cut) face.cut = 0;
-  }
+/// Ids of earlier breakings mean nothing in this one, even where they are the same number: only the cap, the last face, is of this one.
+void forgetOlderCuts(geometry::Convex& convex) {
+  for (std::size_t i = 0; i + 1 < convex.faces.size(); ++i) convex.faces[i].cut = 0;
 }
 
 }  // namespace
@@ -51,8 +49,8 @@ CutResult ChunkStore::cut(const Chunk& parent, const Plane& plane, Chunk& above,
   const geometry::SplitOutcome outcome = geometry::split<float>(view(parent), plane, mark, scratch_, convexAbove, convexBelow);
   if (outcome == geometry::SplitOutcome::Split) {
     if (parent.slot == kWholePart) {
-      forgetOlderCuts(mark.cut, convexAbove);
-      forgetOlderCuts(mark.cut, convexBelow);
+      forgetOlderCuts(convexAbove);
+      forgetOlderCuts(convexBelow);
     }
     ++nextCut_;
     above = parent;

@@ -76,6 +76,7 @@ macro(brittle_find_packages)
 endmacro()
 
 # One test program per folder: tests/FOLDER/test_*.cpp. Further arguments: what it links beside the folder's own library.
+# A suite whose name ends in Long takes minutes: FOLDER/long, labelled `long`, runs those, and only `tools/test --full` runs it.
 function(brittle_test folder)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
   if(NOT sources)
@@ -86,7 +87,14 @@ function(brittle_test folder)
   brittle_precompile(test_${name})
   target_compile_definitions(test_${name} PRIVATE BRITTLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BRITTLE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_link_libraries(test_${name} PRIVATE GTest::gtest_main GTest::gmock ${ARGN})
-  add_test(NAME ${folder} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  add_test(NAME ${folder} COMMAND test_${name} --gtest_filter=-*Long.*:*Long/* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  foreach(source ${sources})
+    file(STRINGS ${source} long_suite REGEX "^(TEST|INSTANTIATE)[A-Z_]*[(].*Long," LIMIT_COUNT 1)
+    if(long_suite AND NOT TEST ${folder}/long)
+      add_test(NAME ${folder}/long COMMAND test_${name} --gtest_filter=*Long.*:*Long/* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+      set_tests_properties(${folder}/long PROPERTIES LABELS long)
+    endif()
+  endforeach()
 endfunction()
 
 # One program per folder of tools/: every .cpp in it, linked with the libraries named.

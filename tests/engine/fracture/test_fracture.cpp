@@ -259,6 +259,29 @@ TEST(Fracture, BreaksItsOwnPiecesAgainAndAgain) {
   }
 }
 
+TEST(Fracture, CutsOfEarlierBreakingsMeanNothing) {
+  FractureMaterial material;
+  material.pattern = Pattern::Block;
+  Fracturer fracturer;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = block();
+    const Impact first = straightAt({0.2f, 0.1f, 0.5f});
+    const Fracture& made = fracturer.fracture(scene.parts, {&first, 1}, material, kSlop, seed);
+    Scene marked, blank;
+    for (const Piece& piece : made.pieces) {
+      if (!made.groups[piece.group].keepsBody) continue;
+      geometry::Convex copy;
+      copy.assign(viewOf(scene, made, piece));
+      marked.add(copy);
+      for (geometry::Face& face : copy.faces) face.cut = 0;
+      blank.add(std::move(copy));
+    }
+    const Impact second = straightAt({-0.1f, 0.0f, 0.5f});
+    const std::uint64_t hash = hashOf(fracturer.fracture(marked.parts, {&second, 1}, material, kSlop, seed));
+    EXPECT_EQ(hash, hashOf(fracturer.fracture(blank.parts, {&second, 1}, material, kSlop, seed))) << "seed " << seed;
+  }
+}
+
 TEST(Fracture, AWarmBreakingAllocatesNothing) {
   const Scene panes = panesWithSeam(), cube = block();
   Fracturer fracturer;
