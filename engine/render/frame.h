@@ -101,11 +101,13 @@ struct Crumb {
   std::uint32_t color = kWhite;
 };
 
-/// An additive round glow facing the camera (sparkle, lamp, particle).
+/// A soft disc facing the camera (sparkle, lamp, puff of dust).
 struct Glow {
   Vec3 position = Vec3::Zero();  // [m]
   float radius = 0.1f;           // [m]
   std::uint32_t color = kWhite;  // alpha scales it
+  float cover = 0.0f;            // 0: adds to what is behind it, 1: hides it
+  float star = 0.0f;             // 0: round, 1: four rays
 };
 
 /// An additive beam facing the camera (laser, streak).
@@ -115,11 +117,22 @@ struct Beam {
   std::uint32_t color = kWhite;
 };
 
-/// A soft shadow on whatever opaque surface is below; spheres cast theirs by themselves (Frame::sphereShadow).
+/// A soft shadow on what looks up below a caster; spheres cast theirs by themselves (Frame::sphereShadow).
 struct Shadow {
-  Vec3 position = Vec3::Zero();  // centre of what casts it [m]
-  float radius = 0.2f;           // [m]
-  float opacity = 0.4f;          // [0, 1] where it touches the surface
+  Vec3 position = Vec3::Zero();      // the middle of the caster's underside [m]
+  Vec2 halfSize = Vec2(0.2f, 0.2f);  // of its outline from above [m]
+  float turn = 0.0f;                 // of that outline about Y [rad]
+  float opacity = 0.4f;              // [0, 1] where it touches the surface
+};
+
+/// A picture on a surface, facing its local +Z. Lies flat on whatever is there; seen from both sides.
+struct Decal {
+  Vec3 position = Vec3::Zero();  // [m]
+  Quat rotation = Quat::Identity();
+  Vec2 halfSize = Vec2(0.5f, 0.5f);  // [m]
+  int tile = 0;                      // 0 to 63 of the sprites, -1 to -4 the emblems of doors
+  std::uint32_t color = kWhite;      // alpha scales its coverage
+  float cover = 1.0f;                // 1: hides what is behind it, 0: adds to it
 };
 
 /// Baked room geometry, made by Renderer::createStatic. 0 is null.
@@ -141,6 +154,7 @@ struct HudQuad {
   HudPoint at;
   Vec2 size = Vec2(0.1f, 0.1f);  // [picture heights]
   std::uint32_t color = kWhite;
+  float radius = 0.0f;  // of its corners [picture heights]
 };
 
 /// A ring or pie about `at`: clockwise from the top.
@@ -160,6 +174,8 @@ struct HudText {
   HudAlign align = HudAlign::Left;
   std::uint32_t color = kWhite;
   std::string text;
+  float stroke = 0.12f;  // width of its lines [height]
+  float spacing = 0.0f;  // more room between the letters [height]
 };
 
 struct Frame {
@@ -175,6 +191,7 @@ struct Frame {
   std::vector<Glow> glows;
   std::vector<Beam> beams;
   std::vector<Shadow> shadows;
+  std::vector<Decal> decals;          // drawn in this order
   std::optional<float> mirrorHeight;  // of a polished floor that shows the room upside down [m]; none: no such stage
   float sphereShadow = 0.6f;          // opacity of the shadows of spheres; 0: none
 

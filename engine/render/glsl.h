@@ -16,6 +16,7 @@ extern const ProgramSource kRoom;        // baked static geometry
 extern const ProgramSource kSolid;       // opaque convexes
 extern const ProgramSource kSphere;      // balls
 extern const ProgramSource kCrumb;       // light debris
+extern const ProgramSource kDecal;       // pictures on surfaces
 extern const ProgramSource kShadow;      // soft blobs on what is below
 extern const ProgramSource kGlass;       // translucent convexes
 extern const ProgramSource kEdge;        // bright lines

@@ -76,9 +76,9 @@ vec3 environment(vec3 point, vec3 r, float soft) {
   vec3 across = up.x ? frame.walls[1].rgb : frame.walls[0].rgb;
   vec3 along = up.y ? frame.walls[3].rgb : frame.walls[2].rgb;
   vec3 c = mix(across, along, smoothstep(-soft, soft, ways.x - ways.y));
-  c *= mix(0.5, 1.25, smoothstep(-0.7, 0.7, r.y));  // mirrors look better in a room with more contrast than ours
+  c *= mix(0.55, 1.3, smoothstep(-0.7, 0.7, r.y));  // mirrors look better in a room with more contrast than ours
   vec2 corner = min(hit.xy - frame.room.xy, frame.room.zw - hit.xy);
-  c *= 0.45 + 0.55 * smoothstep(0.0, 1.2, max(corner.x, corner.y));
+  c *= 0.62 + 0.38 * smoothstep(0.0, 1.4, max(corner.x, corner.y));
   for (int i = 0; i < int(frame.lampColor.w); ++i) {
     vec3 off = max(abs(hit - frame.lampPlace[i].xyz) - frame.lampForm[i].xyz, 0.0);
     float far = dot(off, off);

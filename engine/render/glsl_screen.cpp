@@ -16,39 +16,61 @@ void main() { result = vec4(fogColor(), 1.0); }
 )"};
 
 // A box below each caster; the depth picture says which point of the scene a pixel shows, and its distance from the
-// axis below the caster says how dark it gets.
+// caster's outline and underside says how dark it gets. What does not look up stays as it is.
 const ProgramSource kShadow = {"shadow", R"(
-layout(location = 1) in vec4 place;  // centre, radius
-layout(location = 2) in vec2 shade;  // opacity, 1 for a sphere
+layout(location = 1) in vec4 place;  // middle of the underside or centre of a ball, reach
+layout(location = 2) in vec4 form;   // half width and depth, cosine and sine of the turn
+layout(location = 3) in vec2 shade;  // opacity, 1 for a ball
 flat out vec4 vPlace;
+flat out vec4 vForm;
 flat out vec2 vShade;
 const int order[14] = int[14](3, 2, 6, 7, 4, 2, 0, 3, 1, 6, 5, 4, 1, 0);
 void main() {
   int corner = order[gl_VertexID];
-  vec3 unit = vec3((corner & 1) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 0.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0);
+  vec2 unit = vec2((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0);
+  vec2 flat2 = unit * (form.xy + mix(0.05 + 0.3 * place.w, 0.7 * form.x, shade.y));
+  vec3 at = vec3(form.z * flat2.x + form.w * flat2.y, (corner & 4) != 0 ? 0.0 : -place.w, form.z * flat2.y - form.w * flat2.x);
   vPlace = place;
+  vForm = form;
   vShade = shade;
-  gl_Position = frame.viewProjection * vec4(place.xyz + unit * place.w * vec3(1.7, 4.0, 1.7), 1.0);
+  gl_Position = frame.viewProjection * vec4(place.xyz + at, 1.0);
 }
 )",
                                R"(
 uniform sampler2D depthTexture;
 flat in vec4 vPlace;
+flat in vec4 vForm;
 flat in vec2 vShade;
 out vec4 result;
+float ball(vec3 d) {
+  float below = -d.y;
+  float spread = 1.0 + 0.1 * max(below - 1.0, 0.0);
+  float core = smoothstep(1.3, 0.1, length(d.xz) / spread) / (spread * spread);
+  float reach = smoothstep(0.0, 0.45, below) * smoothstep(4.0, 2.0, below);
+  return core * reach * smoothstep(1.0, 1.06, length(d));  // a ball does not darken itself
+}
+float slab(vec3 d) {
+  float below = -d.y;
+  vec2 q = abs(vec2(vForm.z * d.x - vForm.w * d.z, vForm.w * d.x + vForm.z * d.z)) - vForm.xy;
+  float outside = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
+  float soft = 0.03 + 0.3 * below;
+  float narrow = min(vForm.x, vForm.y);
+  float core = smoothstep(soft, -soft, outside) * min((narrow + 0.04) / (narrow + soft), 1.0);
+  float left = max(1.0 - below / vPlace.w, 0.0);
+  return core * left * left * smoothstep(-0.02, 0.02, below);
+}
 void main() {
   float n = frame.forward.w, f = frame.eye.w;
   float stored = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
   float depth = 2.0 * n * f / (f + n - (2.0 * stored - 1.0) * (f - n));
   vec2 ndc = gl_FragCoord.xy * frame.picture.zw * 2.0 - 1.0;
   vec3 ray = frame.forward.xyz + frame.right.xyz * (ndc.x * frame.right.w) + frame.up.xyz * (ndc.y * frame.up.w);
-  vec3 d = (frame.eye.xyz + ray * depth - vPlace.xyz) / vPlace.w;
-  float below = -d.y;
-  float spread = 1.0 + 0.1 * max(below - 1.0, 0.0);
-  float core = smoothstep(1.3, 0.1, length(d.xz) / spread) / (spread * spread);
-  float reach = smoothstep(0.0, 0.4 * vShade.y + 0.05, below) * smoothstep(4.0, 2.0, below);
-  float outside = max(1.0 - vShade.y, smoothstep(1.0, 1.06, length(d)));  // a ball does not darken itself
-  result = vec4(0.0, 0.0, 0.0, vShade.x * core * reach * outside * (1.0 - fogAt(depth)));
+  vec3 seen = ray * depth;
+  vec3 normal = cross(dFdx(seen), dFdy(seen));
+  float up = smoothstep(0.15, 0.5, abs(normal.y) / (length(normal) + 1e-9));
+  vec3 d = frame.eye.xyz + seen - vPlace.xyz;
+  float dark = vShade.y > 0.5 ? ball(d / vForm.x) : slab(d);
+  result = vec4(0.0, 0.0, 0.0, vShade.x * dark * up * (1.0 - fogAt(depth)));
 }
 )"};
 
@@ -119,13 +141,16 @@ void main() {
 const ProgramSource kGlow = {"glow", R"(
 layout(location = 1) in vec4 place;  // centre, radius
 layout(location = 2) in vec4 color;
+layout(location = 3) in vec2 form;   // how much it covers, how much of a star it is
 out vec2 vAt;
 out vec3 vPoint;
 flat out vec4 vColor;
+flat out vec2 vForm;
 void main() {
   vAt = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
   vPoint = place.xyz + (frame.right.xyz * vAt.x + frame.up.xyz * vAt.y) * place.w;
   vColor = vec4(decode(color.rgb), color.a);
+  vForm = form;
   gl_Position = frame.viewProjection * vec4(vPoint, 1.0);
 }
 )",
@@ -133,10 +158,15 @@ void main() {
 in vec2 vAt;
 in vec3 vPoint;
 flat in vec4 vColor;
+flat in vec2 vForm;
 out vec4 result;
 void main() {
   float fall = max(1.0 - length(vAt), 0.0);
-  result = vec4(vColor.rgb * (vColor.a * fall * fall * (1.0 - fogAt(depthOf(vPoint)))), 0.0);
+  float disc = fall * fall;
+  float rays = max(1.0 - 14.0 * abs(vAt.x * vAt.y) - 0.6 * length(vAt), 0.0) * fall;
+  float light = mix(disc, rays + disc * disc * disc * 2.0, vForm.y);
+  float alpha = vColor.a * light * (1.0 - fogAt(depthOf(vPoint)));
+  result = vec4(vColor.rgb * alpha, alpha * vForm.x);
 }
 )"};
 
@@ -220,9 +250,10 @@ void main() {
 }
 )"};
 
-// kind 0: rectangle about ends.xy with half size ends.zw; 1: arc about ends.xy from ends.z to ends.w turns, form =
-// outer, inner radius; 2: glyph with its origin at ends.xy, ends.z pixels a unit, row ends.w of the stroke texture,
-// form = stroke and shade radius. All in pixels, y down.
+// kind 0: rectangle about ends.xy with half size ends.zw, form.x = radius of its corners; 1: arc about ends.xy from
+// ends.z to ends.w turns, form = outer, inner radius; 2: glyph with its origin at ends.xy, ends.z pixels a unit, row
+// ends.w of the atlas, form = half its stroke and radius of its shade. All in pixels, y down. The atlas is laid out as
+// text.h says.
 const ProgramSource kHud = {"hud", R"(
 layout(location = 0) in vec4 ends;
 layout(location = 1) in vec4 form;  // z: kind
@@ -234,7 +265,7 @@ flat out vec4 vColor;
 void main() {
   vec2 low, high;
   if (form.z > 1.5) {
-    vec2 reach = vec2(form.x + form.y + 1.0);
+    vec2 reach = vec2(min(form.x + form.y + 1.0, 3.0 * ends.z));
     low = ends.xy - vec2(0.0, 12.0) * ends.z - reach;
     high = ends.xy + vec2(8.0, 0.0) * ends.z + reach;
   } else {
@@ -251,15 +282,15 @@ void main() {
 }
 )",
                             R"(
-uniform usampler2D strokeTexture;
+uniform sampler2D glyphTexture;  // distance to the strokes; 1 is 4 units
 in vec2 vAt;
 flat in vec4 vEnds;
 flat in vec3 vForm;
 flat in vec4 vColor;
 out vec4 result;
 float rectangle(vec2 p) {
-  vec2 q = abs(p) - vEnds.zw;
-  return max(q.x, q.y);
+  vec2 q = abs(p) - vEnds.zw + vForm.x;
+  return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - vForm.x;
 }
 float arc(vec2 p) {
   float reach = length(p);
@@ -271,24 +302,17 @@ float arc(vec2 p) {
   return turn < sweep ? ring : max(ring, over * 6.2831853 * reach);
 }
 float glyph(vec2 p) {
-  vec2 q = vec2(p.x, -p.y) / vEnds.z;
-  float nearest = 1e9;
-  for (int i = 0; i < 16; ++i) {
-    uvec4 s = texelFetch(strokeTexture, ivec2(i, int(vEnds.w)), 0);
-    if (s.x == 255u) break;
-    vec2 a = vec2(s.xy), d = vec2(s.zw) - a;
-    float t = clamp(dot(q - a, d) / max(dot(d, d), 1e-6), 0.0, 1.0);
-    vec2 r = q - a - d * t;
-    nearest = min(nearest, dot(r, r));
-  }
-  return sqrt(nearest) * vEnds.z - vForm.x;
+  vec2 cell = vec2(mod(vEnds.w, 12.0), floor(vEnds.w / 12.0));
+  vec2 texel = clamp((p / vEnds.z + vec2(3.0, 15.0)) * 2.0, vec2(0.5), vec2(27.5, 35.5)) + cell * vec2(28.0, 36.0);
+  return texture(glyphTexture, texel / vec2(textureSize(glyphTexture, 0))).r * 4.0 * vEnds.z - vForm.x;
 }
 void main() {
   vec2 p = vAt - vEnds.xy;
   if (vForm.z > 1.5) {
     float d = glyph(p);
     float inside = clamp(0.5 - d, 0.0, 1.0);
-    float shade = 0.35 * clamp(1.0 - d / vForm.y, 0.0, 1.0);  // keeps light letters readable on light rooms
+    float shade = clamp(1.0 - d / vForm.y, 0.0, 1.0);  // keeps light letters readable in light rooms
+    shade *= 0.30 * shade;
     float cover = inside + (1.0 - inside) * shade;
     result = vec4(vColor.rgb * (inside / max(cover, 1e-4)), vColor.a * cover);
   } else {

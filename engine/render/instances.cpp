@@ -1,5 +1,7 @@
 #include "engine/render/instances.h"
 
+#include "engine/math/trig.h"
+#include "engine/render/decal_atlas.h"
 #include "engine/render/text.h"
 
 namespace brittle::render {
@@ -7,13 +9,13 @@ namespace brittle::render {
 namespace {
 
 constexpr float kRectangle = 0.0f, kArc = 1.0f, kGlyph = 2.0f;  // kinds of the hud shader
-// A letter's stroke and the soft shade about it, as parts of the cap height. Chosen by eye.
-constexpr float kStrokeWidth = 0.15f;
-constexpr float kShadeWidth = 0.16f;
-// How far below its caster a shadow can fall, in radii; the shadow shader's box.
-constexpr float kShadowReach = 4.0f;
+constexpr float kShadeWidth = 0.20f;  // of the soft shade about a letter [cap height]. Chosen by eye
+// How far below its caster a shadow can fall: a ball's in radii, any other's [m].
+constexpr float kBallShadowReach = 4.0f, kShadowReach = 1.8f;
 
-std::array<float, 4> placeOf(const Vec3& center, float radius) { return {center.x(), center.y(), center.z(), radius}; }
+std::array<float, 4> placeOf(const Vec3& center, float radius) {
+  return {center.x(), center.y(), center.z(), radius};
+}
 
 Vec2 pixelsOf(const HudPoint& point, float width, float height) {
   return {point.anchor.x() * width + point.offset.x() * height, point.anchor.y() * height + point.offset.y() * height};
@@ -23,16 +25,15 @@ void addText(const HudText& text, float width, float height, std::vector<HudInst
   const float cap = text.height * height;
   const float unit = cap / kGlyphHeight;
   Vec2 at = pixelsOf(text.at, width, height);
-  const float wide = textWidth(text.text.size()) * cap;
+  const float spread = text.spacing * cap;
+  const float wide = textWidth(text.text) * cap + spread * static_cast<float>(text.text.size() - 1);
   if (text.align == HudAlign::Center) at.x() -= 0.5f * wide;
   if (text.align == HudAlign::Right) at.x() -= wide;
   at.y() += 0.5f * cap;
   for (const char c : text.text) {
-    if (c != ' ') {
-      const float row = static_cast<float>(glyphRow(c));
-      out.push_back({{at.x(), at.y(), unit, row}, {0.5f * kStrokeWidth * cap, kShadeWidth * cap, kGlyph, 0.0f}, text.color});
-    }
-    at.x() += kGlyphAdvance * unit;
+    const std::array<float, 4> form = {0.5f * text.stroke * cap, kShadeWidth * cap, kGlyph, 0.0f};
+    if (c != ' ') out.push_back({{at.x(), at.y(), unit, static_cast<float>(glyphRow(c))}, form, text.color});
+    at.x() += glyphAdvance(c) * unit + spread;
   }
 }
 
@@ -43,7 +44,9 @@ void Instances::packBodies(const Frame& frame, const View& view) {
   for (const Sphere& s : frame.spheres) {
     if (!view.sees(s.position, s.radius, farthest)) continue;
     const Quat& q = s.rotation;
-    spheres.push_back({placeOf(s.position, s.radius), {q.x(), q.y(), q.z(), q.w()}, s.color,
+    spheres.push_back({placeOf(s.position, s.radius),
+                       {q.x(), q.y(), q.z(), q.w()},
+                       s.color,
                        minOf<std::uint32_t>(s.material, kMaxMaterials - 1)});
   }
   const float reach = 1.4f;  // the tetrahedron's corners, in radii
@@ -51,7 +54,8 @@ void Instances::packBodies(const Frame& frame, const View& view) {
     if (view.sees(c.position, c.radius * reach, farthest)) crumbs.push_back({placeOf(c.position, c.radius), c.color});
   }
   for (const Glow& g : frame.glows) {
-    if (view.sees(g.position, g.radius * reach, farthest)) glows.push_back({placeOf(g.position, g.radius), g.color});
+    if (view.sees(g.position, g.radius * reach, farthest))
+      glows.push_back({placeOf(g.position, g.radius), g.color, g.cover, g.star});
   }
   for (const Beam& b : frame.beams) {
     const std::array<float, 3> to = {b.to.x(), b.to.y(), b.to.z()};
@@ -61,25 +65,45 @@ void Instances::packBodies(const Frame& frame, const View& view) {
 
 void Instances::packShadows(const Frame& frame, const View& view) {
   const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
-  const auto add = [&](const Vec3& center, float radius, float opacity, float isSphere) {
-    if (opacity <= 0.0f || !view.sees(center, radius * kShadowReach, farthest)) return;
-    shadows.push_back({placeOf(center, radius), opacity, isSphere});
+  const auto add = [&](const ShadowInstance& shadow, const Vec3& center, float size) {
+    if (shadow.opacity > 0.0f && view.sees(center, size + shadow.place[3], farthest)) shadows.push_back(shadow);
   };
-  for (const Sphere& s : frame.spheres) add(s.position, s.radius, frame.sphereShadow, 1.0f);
-  for (const Shadow& s : frame.shadows) add(s.position, s.radius, s.opacity, 0.0f);
+  for (const Sphere& s : frame.spheres)
+    add({placeOf(s.position, kBallShadowReach * s.radius), {s.radius, s.radius, 1.0f, 0.0f}, frame.sphereShadow, 1.0f},
+        s.position, s.radius);
+  for (const Shadow& s : frame.shadows)
+    add({placeOf(s.position, kShadowReach),
+         {s.halfSize.x(), s.halfSize.y(), cosine(s.turn), sine(s.turn)},
+         s.opacity,
+         0.0f},
+        s.position, s.halfSize.norm());
+}
+
+void Instances::packDecals(const Frame& frame, const View& view) {
+  const float farthest = minOf(frame.camera.farPlane, frame.fog.end);
+  for (const Decal& d : frame.decals) {
+    if (!view.sees(d.position, d.halfSize.norm(), farthest)) continue;
+    const Vec3 right = d.rotation * Vec3(d.halfSize.x(), 0.0f, 0.0f),
+               up = d.rotation * Vec3(0.0f, d.halfSize.y(), 0.0f);
+    decals.push_back({placeOf(d.position, static_cast<float>(decalCell(d.tile))),
+                      placeOf(right, d.cover),
+                      {up.x(), up.y(), up.z()},
+                      d.color});
+  }
 }
 
 void Instances::packHud(const Frame& frame, float width, float height) {
   for (const HudQuad& q : frame.quads) {
     const Vec2 at = pixelsOf(q.at, width, height), half = 0.5f * height * q.size;
-    hud.push_back({{at.x(), at.y(), half.x(), half.y()}, {0.0f, 0.0f, kRectangle, 0.0f}, q.color});
+    hud.push_back({{at.x(), at.y(), half.x(), half.y()}, {q.radius * height, 0.0f, kRectangle, 0.0f}, q.color});
   }
   for (const HudArc& a : frame.arcs) {
     if (a.to <= a.from) continue;
     const Vec2 at = pixelsOf(a.at, width, height);
     hud.push_back({{at.x(), at.y(), a.from, a.to}, {a.outer * height, a.inner * height, kArc, 0.0f}, a.color});
   }
-  for (const HudText& text : frame.texts) addText(text, width, height, hud);
+  for (const HudText& text : frame.texts)
+    if (!text.text.empty()) addText(text, width, height, hud);
 }
 
 void Instances::pack(const Frame& frame, const View& view, int width, int height, bool withShadows) {
@@ -88,8 +112,10 @@ void Instances::pack(const Frame& frame, const View& view, int width, int height
   glows.clear();
   beams.clear();
   shadows.clear();
+  decals.clear();
   hud.clear();
   packBodies(frame, view);
+  packDecals(frame, view);
   if (withShadows) packShadows(frame, view);
   packHud(frame, static_cast<float>(width), static_cast<float>(height));
 }

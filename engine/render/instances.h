@@ -1,4 +1,5 @@
-// render/instances.h - the small things of a frame as the records their shaders read, one per instance. Pure packing; no GL.
+// render/instances.h - the small things of a frame as the records their shaders read, one per instance. Pure packing;
+// no GL.
 #pragma once
 
 #include <array>
@@ -16,10 +17,15 @@ struct SphereInstance {
   std::uint32_t material;
 };
 
-/// Crumbs and glows.
-struct PlaceInstance {
-  std::array<float, 4> place;
+struct CrumbInstance {
+  std::array<float, 4> place;  // centre, radius [m]
   std::uint32_t color;
+};
+
+struct GlowInstance {
+  std::array<float, 4> place;  // centre, radius [m]
+  std::uint32_t color;
+  float cover, star;
 };
 
 struct BeamInstance {
@@ -28,10 +34,18 @@ struct BeamInstance {
   std::uint32_t color;
 };
 
+struct DecalInstance {
+  std::array<float, 4> place;  // centre, cell of the atlas
+  std::array<float, 4> right;  // half its width, coverage
+  std::array<float, 3> up;     // half its height
+  std::uint32_t color;
+};
+
 struct ShadowInstance {
-  std::array<float, 4> place;
+  std::array<float, 4> place;  // middle of the underside, or a ball's centre; how far down it reaches [m]
+  std::array<float, 4> form;   // half its width and depth [m]; cosine and sine of its turn
   float opacity;
-  float isSphere;  // 1: its own lower half is left out
+  float isSphere;  // 1: a round outline, and its own lower half is left out
 };
 
 /// HUD shapes and letters; see the hud shader for the meaning by kind.
@@ -44,17 +58,21 @@ struct HudInstance {
 /// A frame's instances; the vectors keep their memory from frame to frame.
 struct Instances {
   std::vector<SphereInstance> spheres;
-  std::vector<PlaceInstance> crumbs, glows;
+  std::vector<CrumbInstance> crumbs;
+  std::vector<GlowInstance> glows;
   std::vector<BeamInstance> beams;
   std::vector<ShadowInstance> shadows;
+  std::vector<DecalInstance> decals;
   std::vector<HudInstance> hud;
 
-  /// Refills everything from `frame`, leaving out what the view cannot see. Picture size in pixels. Shadows are packed only if `withShadows`.
+  /// Refills everything from `frame`, leaving out what the view cannot see. Picture size in pixels. Shadows are packed
+  /// only if `withShadows`.
   void pack(const Frame& frame, const View& view, int width, int height, bool withShadows);
 
  private:
   void packBodies(const Frame& frame, const View& view);
   void packShadows(const Frame& frame, const View& view);
+  void packDecals(const Frame& frame, const View& view);
   void packHud(const Frame& frame, float width, float height);
 };
 

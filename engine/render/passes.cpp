@@ -2,6 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/core/profile.h"
+#include "engine/render/decal_atlas.h"
 #include "engine/render/glsl.h"
 #include "engine/render/text.h"
 #include "engine/render/tiles.h"
@@ -16,11 +17,18 @@ constexpr std::array<Attribute, 4> kSphereLayout = {{{1, 4, GL_FLOAT, As::Float,
                                                      {2, 4, GL_FLOAT, As::Float, 16},
                                                      {3, 4, GL_UNSIGNED_BYTE, As::Normalized, 32},
                                                      {4, 1, GL_UNSIGNED_INT, As::Whole, 36}}};
-constexpr std::array<Attribute, 2> kPlaceLayout = {
+constexpr std::array<Attribute, 2> kCrumbLayout = {
     {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}}};
+constexpr std::array<Attribute, 3> kGlowLayout = {
+    {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}, {3, 2, GL_FLOAT, As::Float, 20}}};
 constexpr std::array<Attribute, 3> kBeamLayout = {
     {{0, 4, GL_FLOAT, As::Float, 0}, {1, 3, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 28}}};
-constexpr std::array<Attribute, 2> kShadowLayout = {{{1, 4, GL_FLOAT, As::Float, 0}, {2, 2, GL_FLOAT, As::Float, 16}}};
+constexpr std::array<Attribute, 4> kDecalLayout = {{{0, 4, GL_FLOAT, As::Float, 0},
+                                                    {1, 4, GL_FLOAT, As::Float, 16},
+                                                    {2, 3, GL_FLOAT, As::Float, 32},
+                                                    {3, 4, GL_UNSIGNED_BYTE, As::Normalized, 44}}};
+constexpr std::array<Attribute, 3> kShadowLayout = {
+    {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_FLOAT, As::Float, 16}, {3, 2, GL_FLOAT, As::Float, 32}}};
 constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0},
                                                    {1, 3, GL_FLOAT, As::Float, 12},
                                                    {2, 1, GL_UNSIGNED_INT, As::Whole, 24},
@@ -42,9 +50,10 @@ Passes::Passes(const Gl& gl)
       materialBlock_(gl),
       empty_(gl),
       sphereBatch_(sizeof(SphereInstance), kSphereLayout),
-      crumbBatch_(sizeof(PlaceInstance), kPlaceLayout),
-      glowBatch_(sizeof(PlaceInstance), kPlaceLayout),
+      crumbBatch_(sizeof(CrumbInstance), kCrumbLayout),
+      glowBatch_(sizeof(GlowInstance), kGlowLayout),
       beamBatch_(sizeof(BeamInstance), kBeamLayout),
+      decalBatch_(sizeof(DecalInstance), kDecalLayout),
       shadowBatch_(sizeof(ShadowInstance), kShadowLayout),
       edgeBatch_(sizeof(EdgeInstance), kEdgeLayout),
       hudBatch_(sizeof(HudInstance), kHudLayout) {}
@@ -60,8 +69,9 @@ Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
 
 Status Passes::build(Which which) {
   static const ProgramSource* const sources[kPrograms] = {
-      &glsl::kBackground, &glsl::kRoom, &glsl::kSolid, &glsl::kSphere, &glsl::kCrumb, &glsl::kShadow,    &glsl::kGlass,
-      &glsl::kEdge,       &glsl::kGlow, &glsl::kBeam,  &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud};
+      &glsl::kBackground, &glsl::kRoom,   &glsl::kSolid, &glsl::kSphere,    &glsl::kCrumb,
+      &glsl::kDecal,      &glsl::kShadow, &glsl::kGlass, &glsl::kEdge,      &glsl::kGlow,
+      &glsl::kBeam,       &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();
@@ -183,7 +193,7 @@ void Passes::spheres(const std::vector<SphereInstance>& instances) {
   count(instances.size() * sphereBatch_.triangles());
 }
 
-void Passes::crumbs(const std::vector<PlaceInstance>& instances) {
+void Passes::crumbs(const std::vector<CrumbInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Write, Blend::Off, Faces::All);
   if (!use(kCrumbProgram)) return;
@@ -191,9 +201,18 @@ void Passes::crumbs(const std::vector<PlaceInstance>& instances) {
   count(instances.size() * 4);
 }
 
-void Passes::shadows(const std::vector<ShadowInstance>& instances, Target& target) {
+void Passes::decals(const std::vector<DecalInstance>& instances) {
   if (instances.empty()) return;
-  target.copyDepth(kUnitDepth);
+  setState(Depth::Test, Blend::Premultiplied, Faces::All);
+  if (!use(kDecalProgram)) return;
+  if (!decals_) decals_ = makeDecalTexture(gl_);
+  bindTexture(gl_, kUnitDecals, decals_.name());
+  decalBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
+  count(instances.size() * 2);
+}
+
+void Passes::shadows(const std::vector<ShadowInstance>& instances) {
+  if (instances.empty()) return;
   // Back faces without a depth test: seen from inside the box, too.
   setState(Depth::Off, Blend::Over, Faces::Back);
   if (!use(kShadowProgram)) return;
@@ -220,9 +239,9 @@ void Passes::edges(const MeshStore& store, const std::vector<EdgeInstance>& inst
   counters_.lines += static_cast<std::uint32_t>(instances.size());
 }
 
-void Passes::glows(const std::vector<PlaceInstance>& instances) {
+void Passes::glows(const std::vector<GlowInstance>& instances) {
   if (instances.empty()) return;
-  setState(Depth::Test, Blend::Add, Faces::All);
+  setState(Depth::Test, Blend::Premultiplied, Faces::All);
   if (!use(kGlowProgram)) return;
   glowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
@@ -272,8 +291,8 @@ void Passes::hud(const std::vector<HudInstance>& instances) {
   if (instances.empty()) return;
   setState(Depth::Off, Blend::Over, Faces::All);
   if (!use(kHudProgram)) return;
-  if (!strokes_) strokes_ = makeStrokeTexture(gl_);
-  bindTexture(gl_, kUnitStrokes, strokes_.name());
+  if (!glyphs_) glyphs_ = makeGlyphTexture(gl_);
+  bindTexture(gl_, kUnitGlyphs, glyphs_.name());
   hudBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }

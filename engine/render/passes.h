@@ -34,13 +34,15 @@ class Passes {
   void room(const StaticMesh& mesh, const Vec3& offset, bool polished);
   void solid(const MeshStore& store, const std::vector<std::uint32_t>& indices);
   void spheres(const std::vector<SphereInstance>& instances);
-  void crumbs(const std::vector<PlaceInstance>& instances);
-  void shadows(const std::vector<ShadowInstance>& instances, Target& target);
+  void crumbs(const std::vector<CrumbInstance>& instances);
+  void decals(const std::vector<DecalInstance>& instances);
+  /// Reads the depth copy, as refraction does.
+  void shadows(const std::vector<ShadowInstance>& instances);
   /// `refraction` [picture heights]: how far a fully tilted surface looks aside; 0: off, and then the colour copy is
   /// not read. `cut`: the faces are where it broke.
   void glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut);
   void edges(const MeshStore& store, const std::vector<EdgeInstance>& instances);
-  void glows(const std::vector<PlaceInstance>& instances);
+  void glows(const std::vector<GlowInstance>& instances);
   void beams(const std::vector<BeamInstance>& instances);
 
   // Into the picture:
@@ -57,6 +59,7 @@ class Passes {
     kSolidProgram,
     kSphereProgram,
     kCrumbProgram,
+    kDecalProgram,
     kShadowProgram,
     kGlassProgram,
     kEdgeProgram,
@@ -93,9 +96,9 @@ class Passes {
   GlBuffer frameBlock_, mirrorBlock_, materialBlock_;
   bool inMirror_ = false;
   GlVertexArray empty_;  // passes without attributes still need one bound
-  GlTexture strokes_, tiles_;
+  GlTexture glyphs_, tiles_, decals_;
   SphereBatch sphereBatch_;
-  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, shadowBatch_, edgeBatch_, hudBatch_;
+  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_;
   FrameCounters counters_;
 };
 

@@ -45,6 +45,7 @@ struct Renderer::Parts {
   void drawRooms(const Frame& frame, bool polished);
   void drawMirrored(const Frame& frame, const FrameUniforms& uniforms);
   void drawOpaque(const Frame& frame);
+  void drawShadows(bool refracts);
   void drawTranslucent();
 };
 
@@ -99,14 +100,21 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
   passes->spheres(instances.spheres);
   passes->crumbs(instances.crumbs);
-  passes->shadows(instances.shadows, *target);
+  passes->decals(instances.decals);
+}
+
+void Renderer::Parts::drawShadows(bool refracts) {
+  BR_ZONE("render shadows");
+  if (refracts || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
+  passes->shadows(instances.shadows);
+  if (refracts) target->copyColor(kUnitColor);
 }
 
 void Renderer::Parts::drawTranslucent() {
   BR_ZONE("render glass");
-  const bool hasGlass =
-      std::any_of(groups.begin(), groups.end(), [](const Group* g) { return !g->list.glass.empty(); });
-  if (hasGlass && def.refraction) target->copyColor(kUnitColor);
+  const bool hasGlass = std::any_of(groups.begin(), groups.end(),
+                                    [](const Group* g) { return !g->list.glass.empty() || !g->list.cuts.empty(); });
+  drawShadows(hasGlass && def.refraction);
   for (const Group* group : groups) {
     for (const bool cut : {false, true})
       passes->glass(*group->store, cut ? group->list.cuts : group->list.glass, def.refraction ? kRefraction : 0.0f,

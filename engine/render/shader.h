@@ -18,7 +18,8 @@ enum TextureUnit : GLint {
   kUnitColor,
   kUnitDepth,
   kUnitTiles,
-  kUnitStrokes,
+  kUnitGlyphs,
+  kUnitDecals,
   kUnitBloom,
   kUnitScratch
 };

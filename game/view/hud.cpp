@@ -2,99 +2,127 @@
 
 #include <cstdio>
 
+#include "game/view/hud_parts.h"
+
 namespace brittle::view {
-namespace {
-
-using render::HudAlign;
-using render::HudPoint;
-using render::packRgba;
-
-// Layout, chosen by eye. [picture heights]
-constexpr float kCountDown = 0.105f;  // the ball count's centre below the top
-constexpr float kCountHeight = 0.062f;
-constexpr float kRingInner = 0.082f, kRingOuter = 0.090f;
-constexpr float kBarWidth = 0.62f, kBarThickness = 0.007f;
-constexpr int kStreakTurn = 10;       // a full ring is this many crystals in a row
-constexpr float kHintTicks = 170.0f;  // the hint goes after this, or with the first throw
-
-const render::Rgb kInk(1.0f, 1.0f, 1.0f), kWarm(1.0f, 0.82f, 0.45f);
-
-HudPoint top(float right, float down) {
-  return {Vec2(0.5f, 0.0f), Vec2(right, down)};
-}
+namespace hud {
 
 std::string number(const char* format, int value) {
-  char text[32];
+  char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
+void addBall(const render::HudPoint& at, float radius, float alpha, render::Frame& frame) {
+  const auto disc = [&](float shift, float size, const render::Rgb& color, float strength) {
+    render::HudPoint place = at;
+    place.offset += Vec2(-shift, -shift) * radius;
+    frame.arcs.push_back({place, 0.0f, size * radius, 0.0f, 1.0f, render::packRgba(color, strength * alpha)});
+  };
+  disc(0.0f, 1.22f, render::Rgb::Zero(), 0.18f);
+  disc(0.0f, 1.0f, {0.60f, 0.65f, 0.72f}, 1.0f);
+  disc(0.16f, 0.74f, {0.84f, 0.88f, 0.92f}, 1.0f);
+  disc(0.34f, 0.30f, kInk, 1.0f);
+}
+
+void addSign(const render::HudPoint& at, float height, const render::Rgb& color, float alpha, std::string text,
+             render::Frame& frame) {
+  render::HudText line{at, height, render::HudAlign::Center, render::packRgba(color, alpha), std::move(text)};
+  line.stroke = 0.11f;
+  line.spacing = 0.16f;
+  frame.texts.push_back(line);
+}
+
+}  // namespace hud
+
+namespace {
+
+using namespace hud;
+using render::packRgba;
+
+// Layout, chosen by eye. [picture heights]
+constexpr float kCountHeight = 0.056f;
+constexpr float kRingInner = 0.0790f, kRingOuter = 0.0845f;
+constexpr float kRingGap = 0.012f;  // between two parts of the ring [turns]
+constexpr float kBarWidth = 0.60f, kBarThickness = 0.006f, kBarGap = 0.010f;
+constexpr int kStreakTurn = 10;  // a full ring is this many crystals in a row
+constexpr int kFewBalls = 5;
+constexpr float kPulseTicks = 16.0f, kLostTicks = 40.0f;
+
+/// A part for each crystal until the next ball of a throw: warm when it is won.
+void addStreak(const sim::Hud& hud, float lost, render::Frame& frame) {
+  const int won = hud.streak % kStreakTurn;
+  for (int i = 0; i < kStreakTurn; ++i) {
+    const float from = (static_cast<float>(i) + 0.5f * kRingGap * kStreakTurn) / kStreakTurn;
+    const float to = (static_cast<float>(i + 1) - 0.5f * kRingGap * kStreakTurn) / kStreakTurn;
+    const render::Rgb empty = kInk + (kAlarm - kInk) * lost;
+    const std::uint32_t color = i < won ? packRgba(kWarm, 0.95f) : packRgba(empty, 0.25f + 0.5f * lost);
+    frame.arcs.push_back({topCentre(0.0f, kCountDown), kRingInner, kRingOuter, from, to, color});
+  }
+}
+
 void addBalls(const sim::Hud& hud, float pulse, render::Frame& frame) {
-  const render::Rgb color = hud.balls <= 5 ? kWarm : kInk;
-  frame.texts.push_back({top(0.0f, kCountDown), kCountHeight * (1.0f + 0.22f * pulse), HudAlign::Center,
-                         packRgba(color), number("%d", hud.balls)});
-  frame.arcs.push_back({top(0.0f, kCountDown), kRingInner, kRingOuter, 0.0f, 1.0f, packRgba(kInk, 0.22f)});
-  const float turn = static_cast<float>(hud.streak % kStreakTurn) / static_cast<float>(kStreakTurn);
-  if (turn > 0.0f)
-    frame.arcs.push_back({top(0.0f, kCountDown), kRingInner, kRingOuter, 0.0f, turn, packRgba(kWarm, 0.95f)});
-  // A dot for each ball that leaves with one throw.
+  const render::Rgb color = hud.balls <= kFewBalls ? kWarm : kInk;
+  render::HudText count{topCentre(0.0f, kCountDown), kCountHeight * (1.0f + 0.20f * pulse), render::HudAlign::Center,
+                        packRgba(color), number("%d", hud.balls)};
+  count.stroke = 0.115f;
+  frame.texts.push_back(count);
+  // A ball for each that leaves with one throw.
   const float first = -0.5f * static_cast<float>(hud.ballsPerThrow - 1);
   for (int i = 0; i < hud.ballsPerThrow; ++i)
-    frame.arcs.push_back({top((first + static_cast<float>(i)) * 0.026f, kCountDown + kRingOuter + 0.026f), 0.0f,
-                          0.0085f, 0.0f, 1.0f, packRgba(kInk, 0.9f)});
+    addBall(topCentre((first + static_cast<float>(i)) * 0.030f, kCountDown + kRingOuter + 0.028f), kBallRadius, 1.0f,
+            frame);
 }
 
+/// A part for each room of the level, filled as far as they are passed.
 void addProgress(const sim::Hud& hud, render::Frame& frame) {
-  const HudPoint bottom{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.045f)};
-  frame.quads.push_back({bottom, Vec2(kBarWidth, kBarThickness), packRgba(kInk, 0.22f)});
-  const float done = clampTo(hud.roomProgress, 0.0f, 1.0f) * kBarWidth;
-  if (done > 0.0f) {
-    HudPoint at = bottom;
-    at.offset.x() += 0.5f * (done - kBarWidth);
-    frame.quads.push_back({at, Vec2(done, kBarThickness), packRgba(kInk, 0.9f)});
+  const int rooms = clampTo(hud.rooms, 1, 20);
+  const float width = (kBarWidth + kBarGap) / static_cast<float>(rooms) - kBarGap;
+  for (int i = 0; i < rooms; ++i) {
+    const float left = static_cast<float>(i) * (width + kBarGap) - 0.5f * kBarWidth;
+    const float done = i < hud.room ? 1.0f : i == hud.room ? clampTo(hud.roomProgress, 0.0f, 1.0f) : 0.0f;
+    const auto bar = [&](float length, float alpha) {
+      const render::HudPoint at{Vec2(0.5f, 1.0f), Vec2(left + 0.5f * length, -0.040f)};
+      frame.quads.push_back({at, Vec2(length, kBarThickness), packRgba(kInk, alpha), 0.5f * kBarThickness});
+    };
+    bar(width, 0.25f);
+    if (done > 0.0f) bar(maxOf(done * width, kBarThickness), 0.95f);
   }
-  frame.texts.push_back({{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.085f)},
-                         0.030f,
-                         HudAlign::Center,
-                         packRgba(kInk, 0.95f),
-                         number("%d m", static_cast<int>(hud.distance))});
+  render::HudText text{{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.078f)},
+                       0.028f,
+                       render::HudAlign::Center,
+                       packRgba(kInk, 0.95f),
+                       number("%d m", static_cast<int>(hud.distance))};
+  text.spacing = 0.08f;
+  frame.texts.push_back(text);
 }
 
-void addEnd(const sim::Hud& hud, render::Frame& frame) {
-  if (!hud.gameOver && !hud.levelDone) return;
-  frame.tint = Vec4(0.04f, 0.06f, 0.10f, 0.55f);
-  const HudPoint middle{Vec2(0.5f, 0.5f), Vec2::Zero()};
-  frame.texts.push_back(
-      {middle, 0.085f, HudAlign::Center, packRgba(kInk), hud.levelDone ? "LEVEL DONE" : "OUT OF BALLS"});
-  HudPoint below = middle;
-  below.offset.y() = 0.11f;
-  frame.texts.push_back(
-      {below, 0.040f, HudAlign::Center, packRgba(kWarm), number("%d m", static_cast<int>(hud.distance))});
-}
-
-/// While nothing was thrown yet. The memory reaches back to the start of the game for as long as this is shown.
-void addHint(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
-  const float out = clampTo((kHintTicks - static_cast<float>(tick)) / 20.0f, 0.0f, 1.0f);
-  const float in = clampTo(static_cast<float>(tick) / 30.0f, 0.0f, 1.0f);
-  const bool threw = memory.ageOf(sim::EventType::Throw, tick) < static_cast<float>(kMemoryTicks);
-  if (out <= 0.0f || in <= 0.0f || threw || packet.hud.gameOver) return;
-  frame.texts.push_back(
-      {{Vec2(0.5f, 0.70f), Vec2::Zero()}, 0.042f, HudAlign::Center, packRgba(kInk, in * out), "TAP TO THROW"});
+void addPain(const sim::Hud& hud, render::Frame& frame) {
+  const float pain = clampTo(hud.pain, 0.0f, 1.0f);
+  frame.border = Vec4(0.85f, 0.08f, 0.06f, 0.85f * pain);
+  // The first instants of a crash light up the whole picture.
+  const float flash = clampTo((pain - 0.8f) * 5.0f, 0.0f, 1.0f);
+  if (flash > 0.0f) frame.tint = Vec4(1.0f, 0.85f, 0.80f, 0.45f * flash);
 }
 
 }  // namespace
 
-void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
+void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame) {
   const sim::Hud& hud = packet.hud;
-  const float pulse = clampTo(1.0f - memory.ballsAge(tick) / 14.0f, 0.0f, 1.0f);
-  addBalls(hud, pulse * pulse, frame);
-  addProgress(hud, frame);
-  addHint(packet, memory, tick, frame);
-  addEnd(hud, frame);
-  frame.border = Vec4(0.85f, 0.08f, 0.06f, 0.85f * clampTo(hud.pain, 0.0f, 1.0f));
-  // The first instants of a crash light up the whole picture.
-  const float flash = clampTo((hud.pain - 0.8f) * 5.0f, 0.0f, 1.0f);
-  if (flash > 0.0f && !hud.gameOver) frame.tint = Vec4(1.0f, 0.85f, 0.80f, 0.45f * flash);
+  const float lost =
+      1.0f -
+      minOf(memory.ageOf(sim::EventType::CrystalMissed, tick), memory.ageOf(sim::EventType::Crash, tick)) / kLostTicks;
+  const float pulse = clampTo(1.0f - memory.ballsAge(tick) / kPulseTicks, 0.0f, 1.0f);
+  addPain(hud, frame);
+  if (hud.phase != sim::Phase::Title) {
+    if (hud.countsBalls) {
+      addStreak(hud, clampTo(lost, 0.0f, 1.0f), frame);
+      addBalls(hud, pulse * pulse, frame);
+    }
+    addProgress(hud, frame);
+    addFlights(packet, memory, tick, aspect, frame);
+  }
+  addScreens(packet, memory, tick, frame);
 }
 
 }  // namespace brittle::view

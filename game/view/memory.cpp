@@ -20,6 +20,7 @@ void Memory::tick(const sim::FramePacket& packet) {
   fog_ = fogOf(packet);
   if (knowsBalls_ && packet.hud.balls != balls_) {
     ballsChanged_ = true;
+    ballsChange_ = packet.hud.balls - balls_;
     ballsTick_ = packet.tick;
   }
   balls_ = packet.hud.balls;

@@ -38,13 +38,15 @@ class Memory {
   float ageOf(sim::EventType type, double tick) const;
   /// The fog of the room left last; meaningful for kMemoryTicks after RoomEntered.
   const render::Fog& fogBefore() const { return fogBefore_; }
-  /// Ticks since the shown number of balls or the streak changed, like ageOf.
+  /// Ticks since the shown number of balls changed, like ageOf.
   float ballsAge(double tick) const;
+  /// By how much they changed last; meaningful while ballsAge is below kMemoryTicks.
+  std::int32_t ballsChange() const { return ballsChange_; }
 
  private:
   std::deque<Remembered> events_;
   render::Fog fog_, fogBefore_;
-  std::int32_t balls_ = 0;
+  std::int32_t balls_ = 0, ballsChange_ = 0;
   std::uint64_t ballsTick_ = 0;
   bool knowsBalls_ = false, ballsChanged_ = false;
 };

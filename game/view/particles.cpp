@@ -1,115 +1,148 @@
 #include "game/view/particles.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "game/view/noise.h"
 
 namespace brittle::view {
 namespace {
 
 using render::packRgba;
+using render::Rgb;
 
-constexpr float kTick = 1.0f / 60.0f;  // [s]
-constexpr float kSparkTicks = 34.0f;   // a spark's life
-constexpr float kFlashTicks = 7.0f;
-constexpr float kLabelTicks = 55.0f;
-constexpr float kGravity = 6.0f;    // glitter falls slower than shards [m/s2]
-constexpr float kMoteCell = 0.5f;   // a mote of dust lives in its own slice of the way [m]
-constexpr int kMoteCells = 34;      // slices ahead of the camera
-constexpr float kMoteFall = 0.05f;  // [m/s]
+constexpr float kTick = 1.0f / 60.0f;                     // [s]
+constexpr float kFlashTicks = 8.0f, kSparkTicks = 46.0f;  // lives
+constexpr float kSplinterTicks = 30.0f, kPuffTicks = 70.0f;
+constexpr float kGlitterGravity = 5.0f, kGravity = 9.0f;  // glitter falls slower than splinters [m/s2]
+constexpr float kHitSpeed = 7.0f;                         // slower hits raise no dust [m/s]
 
-/// Numbers in [0, 1) that belong to a key; another index, another number.
-class Noise {
- public:
-  explicit Noise(std::uint64_t key) : key_(key * 0x9e3779b97f4a7c15ull) {}
-  float operator()(std::uint32_t index) const {
-    std::uint64_t h = key_ + index * 0xbf58476d1ce4e5b9ull;
-    h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9ull;
-    h = (h ^ h >> 27) * 0x94d049bb133111ebull;
-    return static_cast<float>((h ^ h >> 31) >> 40) * 0x1p-24f;
-  }
-  float operator()(std::uint32_t index, float low, float high) const { return low + (high - low) * (*this)(index); }
-
- private:
-  std::uint64_t key_;
+/// What a kind of thing throws off when it breaks, for a size of half a metre.
+struct Burst {
+  Rgb light, dust;
+  int sparks, stars, splinters, puffs;
+  float flash;  // radius [m]; 0: none
 };
 
-render::Rgb sparkColor(sim::Look look) {
-  return look == sim::Look::Crystal ? render::Rgb(0.55f, 0.85f, 1.0f) : render::Rgb(0.85f, 0.95f, 1.0f);
-}
-
-void addBreak(const Remembered& r, std::uint64_t key, float age, const Vec3& point, render::Frame& frame) {
-  const bool isCrystal = r.event.look == sim::Look::Crystal;
-  const render::Rgb color = sparkColor(r.event.look);
-  if (age < kFlashTicks) {
-    const float left = 1.0f - age / kFlashTicks;
-    frame.glows.push_back(
-        {point, (isCrystal ? 0.9f : 0.45f) * (1.3f - 0.3f * left), packRgba(color, 0.55f * left * left)});
-  }
-  if (age >= kSparkTicks) return;
-  const Noise noise(key);
-  const int sparks = isCrystal ? 22 : 12;
-  const float left = 1.0f - age / kSparkTicks, t = age * kTick;
-  for (int i = 0; i < sparks; ++i) {
-    const auto n = static_cast<std::uint32_t>(i) * 8;
-    const Vec3 spread(noise(n, -1.0f, 1.0f), noise(n + 1, -0.6f, 1.0f), noise(n + 2, -1.0f, 1.0f));
-    const Vec3 velocity = 1.6f * spread + r.event.direction * noise(n + 3, 0.2f, 2.2f);
-    const Vec3 at = point + velocity * t - Vec3(0.0f, 0.5f * kGravity * t * t, 0.0f);
-    const float twinkle = 0.5f + 0.5f * std::sin(age * noise(n + 4, 0.4f, 1.1f) + 6.0f * noise(n + 5));
-    frame.glows.push_back({at, noise(n + 6, 0.02f, 0.05f), packRgba(color, left * twinkle)});
+Burst burstOf(sim::Look look) {
+  const Rgb pale(0.88f, 0.97f, 1.0f), wood(0.62f, 0.48f, 0.36f), stone(0.66f, 0.66f, 0.68f);
+  switch (look) {
+    case sim::Look::Crystal:
+      return {{0.60f, 0.86f, 1.0f}, pale, 20, 9, 8, 2, 0.95f};
+    case sim::Look::Wood:
+      return {wood, wood, 0, 0, 12, 4, 0.0f};
+    case sim::Look::Stone:
+    case sim::Look::Static:
+      return {stone, stone, 0, 0, 8, 6, 0.0f};
+    default:
+      return {pale, {0.90f, 0.96f, 0.98f}, 16, 4, 14, 5, 0.5f};
   }
 }
 
-/// What was won rises over the place of the crystal.
-void addLabel(const Remembered& r, float age, const Vec3& point, float aspect, render::Frame& frame) {
-  const render::Camera& camera = frame.camera;
-  const Vec3 seen = camera.rotation.conjugate() * (point + Vec3(0.0f, 0.4f, 0.0f) - camera.position);
-  if (-seen.z() < 0.5f || age >= kLabelTicks || r.event.value <= 0) return;
-  const float x = seen.x() / (-seen.z() * camera.tanHalfWidth),
-              y = seen.y() * aspect / (-seen.z() * camera.tanHalfWidth);
-  char text[16];
-  std::snprintf(text, sizeof text, "+%d", r.event.value);
-  const float left = 1.0f - age / kLabelTicks;
-  const float height = clampTo(0.22f / -seen.z(), 0.028f, 0.07f);
-  frame.texts.push_back({{Vec2(0.5f + 0.5f * x, 0.5f - 0.5f * y), Vec2(0.0f, -0.06f * (1.0f - left))},
-                         height,
-                         render::HudAlign::Center,
-                         packRgba(render::Rgb(1.0f, 0.92f, 0.65f), minOf(1.0f, 2.0f * left)),
-                         text});
+/// One event's particles; `key` makes them its own.
+class Emitter {
+ public:
+  Emitter(const Vec3& point, const Vec3& direction, float age, std::uint64_t key, render::Frame& frame)
+      : point_(point), direction_(direction), age_(age), noise_(key), frame_(frame) {}
+
+  void flash(const Rgb& color, float radius) {
+    if (age_ >= kFlashTicks || radius <= 0.0f) return;
+    const float left = 1.0f - age_ / kFlashTicks;
+    frame_.glows.push_back({point_, radius * (1.3f - 0.3f * left), packRgba(color, 0.5f * left * left)});
+    frame_.glows.push_back({point_, 1.6f * radius * left, packRgba(color, 0.8f * left), 0.0f, 1.0f});
+  }
+
+  /// Points of light that twinkle as they fall; the first `stars` of them have rays.
+  void sparks(const Rgb& color, int count, int stars, float spread) {
+    if (age_ >= kSparkTicks) return;
+    const float left = 1.0f - age_ / kSparkTicks;
+    for (int i = 0; i < count + stars; ++i) {
+      const auto n = static_cast<std::uint32_t>(i) * 8;
+      const float twinkle = std::sin(age_ * noise_(n + 4, 0.25f, 0.8f) + 6.0f * noise_(n + 5));
+      const float light = left * maxOf(0.25f + 0.75f * twinkle, 0.0f);
+      const bool isStar = i < stars;
+      const float radius = noise_(n + 6, 0.018f, 0.045f) * (isStar ? 4.0f : 1.0f);
+      frame_.glows.push_back(
+          {flight(n, spread, kGlitterGravity, age_), radius, packRgba(color, light), 0.0f, isStar ? 1.0f : 0.0f});
+    }
+  }
+
+  /// Thin bright streaks along their way.
+  void splinters(const Rgb& color, int count, float spread) {
+    if (age_ >= kSplinterTicks) return;
+    const float left = 1.0f - age_ / kSplinterTicks;
+    for (int i = 0; i < count; ++i) {
+      const auto n = 512 + static_cast<std::uint32_t>(i) * 8;
+      const Vec3 to = flight(n, spread, kGravity, age_),
+                 from = flight(n, spread, kGravity, age_ - noise_(n + 5, 1.0f, 2.5f));
+      frame_.beams.push_back({from, to, noise_(n + 6, 0.004f, 0.009f), packRgba(color, 0.55f * left)});
+    }
+  }
+
+  /// Soft clouds that grow and thin out.
+  void puffs(const Rgb& color, int count, float size, float strength) {
+    if (age_ >= kPuffTicks) return;
+    const float t = age_ / kPuffTicks;
+    for (int i = 0; i < count; ++i) {
+      const auto n = 1024 + static_cast<std::uint32_t>(i) * 8;
+      const Vec3 drift(noise_(n, -1.0f, 1.0f), noise_(n + 1, -0.4f, 0.8f), noise_(n + 2, -1.0f, 1.0f));
+      const Vec3 at =
+          point_ + drift * (size * (0.4f + 0.9f * std::sqrt(t))) + direction_ * (size * noise_(n + 3) * std::sqrt(t));
+      const float radius = size * noise_(n + 4, 0.45f, 0.8f) * (0.35f + 0.65f * std::sqrt(t));
+      frame_.glows.push_back({at, radius, packRgba(color, strength * (1.0f - t) * (1.0f - t)), 0.8f});
+    }
+  }
+
+ private:
+  /// Where the particle of index `n` is `age` ticks after it left.
+  Vec3 flight(std::uint32_t n, float spread, float gravity, float age) const {
+    const float t = maxOf(age, 0.0f) * kTick;
+    const Vec3 aside(noise_(n, -1.0f, 1.0f), noise_(n + 1, -0.5f, 1.0f), noise_(n + 2, -1.0f, 1.0f));
+    const Vec3 velocity = spread * aside + direction_ * noise_(n + 3, 0.2f, 2.6f);
+    const float slowed = t / (1.0f + 0.8f * t);  // the air holds them back
+    return point_ + velocity * slowed - Vec3(0.0f, 0.5f * gravity * t * t, 0.0f);
+  }
+
+  Vec3 point_, direction_;
+  float age_;
+  Noise noise_;
+  render::Frame& frame_;
+};
+
+void addBreak(const sim::Event& event, Emitter emitter) {
+  const Burst burst = burstOf(event.look);
+  const float size = clampTo(event.size, 0.15f, 0.8f);
+  const float share = clampTo(size / 0.5f, 0.4f, 1.5f);
+  const auto some = [share](int count) { return static_cast<int>(static_cast<float>(count) * share + 0.5f); };
+  emitter.flash(burst.light, burst.flash);
+  emitter.puffs(burst.dust, some(burst.puffs), 0.9f * size, 0.20f);
+  emitter.splinters(burst.light, some(burst.splinters), 2.4f);
+  emitter.sparks(burst.light, some(burst.sparks), some(burst.stars), 1.7f);
 }
 
-void addDust(const sim::FramePacket& packet, double tick, render::Frame& frame) {
-  const double cameraZ = static_cast<double>(packet.camera.position.z()) + packet.originZ;
-  const auto first = static_cast<std::int64_t>(std::floor(cameraZ / static_cast<double>(kMoteCell)));
-  for (int i = 0; i < kMoteCells; ++i) {
-    const std::int64_t cell = first - i;
-    const Noise noise(static_cast<std::uint64_t>(cell));
-    const double z = (static_cast<double>(cell) + static_cast<double>(noise(2))) * static_cast<double>(kMoteCell);
-    const float fall = static_cast<float>(std::fmod(tick * static_cast<double>(kTick * kMoteFall), 5.0));
-    float y = noise(1, 0.0f, 5.0f) - fall;
-    y = (y < 0.0f ? y + 5.0f : y) - 1.0f;
-    const float sway = 0.15f * std::sin(static_cast<float>(std::fmod(tick, 7200.0)) * 0.014f + 6.0f * noise(3));
-    const float edge = clampTo(minOf(y + 1.0f, 4.0f - y) * 2.0f, 0.0f, 1.0f);  // no mote jumps from floor to ceiling
-    const Vec3 at(noise(0, -3.6f, 3.6f) + sway, y, static_cast<float>(z - packet.originZ));
-    frame.glows.push_back({at, noise(4, 0.010f, 0.022f), packRgba(render::Rgb(1.0f, 0.97f, 0.9f), 0.55f * edge)});
-  }
+/// A ball that hits what does not break.
+void addHit(const sim::Event& event, Emitter emitter) {
+  if (event.value != 1 || event.speed < kHitSpeed) return;
+  const float share = clampTo(event.speed / 20.0f, 0.0f, 1.0f);
+  if (event.look == sim::Look::Static || event.look == sim::Look::Stone)
+    emitter.puffs(burstOf(sim::Look::Stone).dust, 3, 0.22f, 0.22f * share);
+  if (event.look == sim::Look::Metal || event.look == sim::Look::Door)
+    emitter.splinters({1.0f, 0.86f, 0.6f}, 6, 2.0f * share);
 }
 
 }  // namespace
 
-void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect,
-                  render::Frame& frame) {
+void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
   std::uint64_t sameTick = 0, lastTick = 0;
   for (const Remembered& r : memory.events()) {
     sameTick = r.tick == lastTick ? sameTick + 1 : 0;
     lastTick = r.tick;
     // An event happens in the course of its tick: half a tick before the packet that brings it.
     const float age = static_cast<float>(tick - static_cast<double>(r.tick)) + 0.5f;
-    if (age < 0.0f) continue;
-    const Vec3 point = r.pointIn(packet.originZ);
-    if (r.event.type == sim::EventType::Break) addBreak(r, r.tick * 64 + sameTick, age, point, frame);
-    if (r.event.type == sim::EventType::Crystal) addLabel(r, age, point, aspect, frame);
+    if (age < 0.0f || age >= kPuffTicks) continue;
+    const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
+    if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
+    if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
   }
-  if (!packet.rooms.empty() && !packet.rooms.front().particles.empty()) addDust(packet, tick, frame);
 }
 
 }  // namespace brittle::view

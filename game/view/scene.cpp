@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "game/view/air.h"
+#include "game/view/decals.h"
 #include "game/view/hud.h"
 #include "game/view/interpolate.h"
 #include "game/view/lamps.h"
@@ -47,8 +49,8 @@ render::Beam ropeOf(const sim::RopeView& rope, const render::Camera& camera) {
 
 }  // namespace
 
-Scene::Scene(render::Renderer& renderer) : statics_(renderer) {
-  renderer.setMaterials(materials());
+Scene::Scene(render::Renderer& renderer) : statics_(renderer), materials_(materials()) {
+  renderer.setMaterials(materials_);
 }
 
 void Scene::tick(const sim::FramePacket& packet) {
@@ -98,7 +100,7 @@ void Scene::addRooms(const MeshPools& pools) {
       if (info.bodySlot >= room.bodies.size() || room.bodies[info.bodySlot].generation == 0) continue;
       group.meshes.push_back({slot, info.bodySlot, info.material, render::kWhite});
     }
-    addShadows(group, frame_.shadows);
+    addShadows(group, materials_, frame_.sphereShadow, frame_.shadows);
   }
 }
 
@@ -123,12 +125,15 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
   frame_.surroundings = surroundingsOf(seen_);
+  frame_.sphereShadow = shadowStrengthOf(seen_);
   frame_.mirrorHeight = mirrorHeightOf(seen_);
   frame_.bloom = kBloom;
   addRooms(pools);
   addThings();
-  addParticles(seen_, memory_, tick, aspect, frame_);
-  addHud(seen_, memory_, tick, frame_);
+  addDecals(seen_, memory_, tick, frame_);
+  addAir(seen_, tick, frame_);
+  addParticles(seen_, memory_, tick, frame_);
+  addHud(seen_, memory_, tick, aspect, frame_);
   return frame_;
 }
 

@@ -34,6 +34,7 @@ class Scene {
   void placeCamera(double tick);
 
   Statics statics_;
+  std::vector<render::Material> materials_;
   Memory memory_;
   sim::FramePacket before_, now_, seen_;
   render::Frame frame_;

@@ -92,22 +92,41 @@ class Mean {
 
 }  // namespace
 
-render::Surroundings surroundingsOf(const sim::FramePacket& packet) {
-  render::Surroundings result;
-  Mean mean;
+namespace {
+
+/// Calls visit(segment, metres) for the segments about and ahead of the camera with how much of the way each holds.
+template <class Visit>
+void forSegmentsAbout(const sim::FramePacket& packet, Visit visit) {
   const float cameraZ = packet.camera.position.z();
-  for (const sim::RoomView& room : packet.rooms) {
+  for (const sim::RoomView& room : packet.rooms)
     for (const sim::PlacedSegment& segment : room.segments) {
       const float near = minOf(segment.origin.z(), cameraZ + kBehind);
       const float far = maxOf(segment.origin.z() - segment.look->length, cameraZ - kAhead);
-      if (near <= far) continue;
-      mean.add(*segment.look, near - far);
-      addLamps(segment, cameraZ, result);
+      if (near > far) visit(segment, near - far);
     }
-  }
+}
+
+}  // namespace
+
+render::Surroundings surroundingsOf(const sim::FramePacket& packet) {
+  render::Surroundings result;
+  Mean mean;
+  forSegmentsAbout(packet, [&](const sim::PlacedSegment& segment, float length) {
+    mean.add(*segment.look, length);
+    addLamps(segment, packet.camera.position.z(), result);
+  });
   mean.write(result);
   keepNearestLamps(packet.camera.position, result.lamps);
   return result;
+}
+
+float shadowStrengthOf(const sim::FramePacket& packet) {
+  float sum = 0.0f, weight = 0.0f;
+  forSegmentsAbout(packet, [&](const sim::PlacedSegment& segment, float length) {
+    sum += clampTo(segment.look->softShadow, 0.0f, 1.0f) * length;
+    weight += length;
+  });
+  return weight > 0.0f ? sum / weight : 0.0f;
 }
 
 std::optional<float> mirrorHeightOf(const sim::FramePacket& packet) {

@@ -13,6 +13,9 @@ namespace brittle::view {
 /// that nothing jumps as the camera flies on.
 render::Surroundings surroundingsOf(const sim::FramePacket& packet);
 
+/// How dark soft shadows are, as the segments about the camera have it. [0, 1]
+float shadowStrengthOf(const sim::FramePacket& packet);
+
 /// The height of the polished floor about and ahead of the camera, the largest if there are several. [m]
 std::optional<float> mirrorHeightOf(const sim::FramePacket& packet);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/render/decal_atlas.h"
 #include "engine/render/text.h"
 
 namespace brittle::render {
@@ -31,6 +32,44 @@ TEST(Instances, GiveEverySphereAShadowUnlessSwitchedOff) {
   EXPECT_EQ(packed(frame).shadows.size(), 1u);
 }
 
+TEST(Instances, GiveDecalsTheirCellAndSides) {
+  Frame frame;
+  Decal decal;
+  decal.position = Vec3(0.0f, 0.0f, -3.0f);
+  decal.rotation = rotationAbout(Vec3::UnitY(), 1.5707963f);
+  decal.halfSize = Vec2(2.0f, 0.5f);
+  decal.tile = -2;
+  frame.decals.push_back(decal);
+  decal.position.z() = 60.0f;  // behind
+  frame.decals.push_back(decal);
+  const Instances seen = packed(frame);
+  ASSERT_EQ(seen.decals.size(), 1u);
+  EXPECT_EQ(seen.decals[0].place[3], 65.0f);
+  EXPECT_NEAR(seen.decals[0].right[2], -2.0f, 1e-5f);
+  EXPECT_NEAR(seen.decals[0].up[1], 0.5f, 1e-5f);
+}
+
+TEST(Decals, EverySpriteShowsSomethingAndStaysInsideItsCell) {
+  const std::vector<std::uint8_t> atlas = paintDecals();
+  constexpr int kWidth = kDecalsAcross * kDecalPixels;
+  for (int cell = 0; cell < 64 + kEmblems; ++cell) {
+    int most = 0;
+    const int left = cell % kDecalsAcross * kDecalPixels, top = cell / kDecalsAcross * kDecalPixels;
+    for (int y = 0; y < kDecalPixels; ++y)
+      for (int x = 0; x < kDecalPixels; ++x)
+        most = maxOf(most, static_cast<int>(atlas[static_cast<std::size_t>((top + y) * kWidth + left + x)]));
+    EXPECT_GT(most, 180) << "cell " << cell;
+  }
+}
+
+TEST(Decals, TilesBeyondTheAtlasAreWrapped) {
+  EXPECT_EQ(decalCell(63), 63);
+  EXPECT_EQ(decalCell(64), 0);
+  EXPECT_EQ(decalCell(-1), 64);
+  EXPECT_EQ(decalCell(-4), 67);
+  EXPECT_EQ(decalCell(-5), 59);
+}
+
 TEST(Instances, PlaceTheHudByAnchorAndOffset) {
   Frame frame;
   frame.quads.push_back({{Vec2(1.0f, 0.5f), Vec2(-0.1f, 0.2f)}, Vec2(0.1f, 0.2f), kWhite});
@@ -48,7 +87,7 @@ TEST(Instances, AlignText) {
   }
   const std::vector<HudInstance> hud = packed(frame, 400, 200).hud;
   ASSERT_EQ(hud.size(), 6u);  // spaces draw nothing
-  const float wide = textWidth(3) * 24.0f;
+  const float wide = textWidth("A B") * 24.0f;
   EXPECT_FLOAT_EQ(hud[0].ends[0], 200.0f);
   EXPECT_FLOAT_EQ(hud[2].ends[0], 200.0f - 0.5f * wide);
   EXPECT_FLOAT_EQ(hud[4].ends[0], 200.0f - wide);
@@ -59,23 +98,55 @@ TEST(Text, HasStrokesOfEveryPrintableCharacterWithinItsGrid) {
   for (int row = 0; row < kGlyphRows; ++row) {
     const std::vector<Stroke> strokes = glyphStrokes(row);
     EXPECT_EQ(strokes.empty(), row == glyphRow(' ')) << "row " << row;
-    EXPECT_LE(strokes.size(), static_cast<std::size_t>(kMaxStrokes));
-    for (const Stroke& s : strokes) {
-      EXPECT_LE(s.x0, kGlyphWidth) << "row " << row;
-      EXPECT_LE(s.x1, kGlyphWidth) << "row " << row;
-      EXPECT_LE(s.y0, kGlyphHeight) << "row " << row;
-      EXPECT_LE(s.y1, kGlyphHeight) << "row " << row;
+    for (const Stroke& stroke : strokes) {
+      EXPECT_GE(stroke.size(), 2u);
+      for (const Vec2& point : stroke) {
+        EXPECT_GE(point.minCoeff(), 0.0f) << "row " << row;
+        EXPECT_LE(point.x(), kGlyphWidth) << "row " << row;
+        EXPECT_LE(point.y(), kGlyphHeight) << "row " << row;
+      }
     }
   }
 }
 
 TEST(Text, ShowsSmallLettersAsCapitalsAndUnknownBytesAsABox) {
-  EXPECT_EQ(glyphStrokes(glyphRow('q')).size(), glyphStrokes(glyphRow('Q')).size());
+  EXPECT_EQ(glyphStrokes(glyphRow('q')), glyphStrokes(glyphRow('Q')));
   EXPECT_EQ(glyphRow('\x80'), kGlyphRows - 1);
   EXPECT_EQ(glyphRow('\n'), kGlyphRows - 1);
-  EXPECT_EQ(glyphStrokes(kGlyphRows - 1).size(), 4u);
-  EXPECT_EQ(glyphStrokes(glyphRow('~')).size(), 3u);  // the rows after the small letters
-  EXPECT_EQ(glyphStrokes(glyphRow('L')).size(), 2u);
+  EXPECT_EQ(glyphStrokes(kGlyphRows - 1)[0].size(), 5u);
+  EXPECT_EQ(glyphStrokes(glyphRow('~')).size(), 1u);  // the rows after the small letters
+}
+
+TEST(Text, RoundsBluntCornersAndKeepsSharpOnes) {
+  EXPECT_EQ(glyphStrokes(glyphRow('L'))[0].size(), 3u);
+  const Stroke round = glyphStrokes(glyphRow('O'))[0];
+  EXPECT_GT(round.size(), 40u);
+  for (std::size_t i = 2; i < round.size(); ++i) {
+    const Vec2 in = round[i - 1] - round[i - 2], out = round[i] - round[i - 1];
+    if (in.norm() < 1e-3f || out.norm() < 1e-3f) continue;
+    EXPECT_GT(in.normalized().dot(out.normalized()), 0.95f);
+  }
+}
+
+TEST(Text, FiguresAreEquallyWideAndLettersAreNot) {
+  for (char c = '0'; c <= '9'; ++c) EXPECT_EQ(glyphAdvance(c), glyphAdvance('8'));
+  EXPECT_LT(glyphAdvance('I'), 0.5f * glyphAdvance('M'));
+  EXPECT_FLOAT_EQ(textWidth("88") - textWidth("8"), glyphAdvance('8') / kGlyphHeight);
+  EXPECT_EQ(textWidth(""), 0.0f);
+}
+
+TEST(Text, TheAtlasHoldsDistancesToTheStrokes) {
+  const std::vector<std::uint8_t> atlas = paintGlyphs();
+  const auto at = [&atlas](char c, int x, int y) {  // in texels of the character's grid, y down
+    const int row = glyphRow(c);
+    const int left = row % kGlyphColumns * kCellWidth + kGlyphMargin * kGlyphTexels;
+    const int top = row / kGlyphColumns * kCellHeight + kGlyphMargin * kGlyphTexels;
+    return static_cast<int>(atlas[static_cast<std::size_t>((top + y) * kGlyphAtlasWidth + left + x)]);
+  };
+  EXPECT_NEAR(at('I', 0, 12), 16, 2);  // a quarter of a unit from the stem: 0.25 / 4 * 255
+  EXPECT_NEAR(at('I', 2, 12), 80, 2);
+  EXPECT_EQ(at('I', 12, 12), 255);
+  EXPECT_EQ(at(' ', 8, 12), 255);
 }
 
 }  // namespace

@@ -9,81 +9,195 @@ namespace brittle::view {
 namespace {
 
 using ::testing::Contains;
+using ::testing::IsEmpty;
 using ::testing::Not;
 
-std::vector<std::string> textsOf(const sim::FramePacket& packet, const Memory& memory = {}) {
+constexpr float kAspect = 16.0f / 9.0f;
+constexpr int kStreakParts = 10;
+
+render::Frame hudOf(const sim::FramePacket& packet, const Memory& memory = {}) {
   render::Frame frame;
-  addHud(packet, memory, static_cast<double>(packet.tick), frame);
+  addHud(packet, memory, static_cast<double>(packet.tick), kAspect, frame);
+  return frame;
+}
+
+std::vector<std::string> textsOf(const sim::FramePacket& packet, const Memory& memory = {}) {
   std::vector<std::string> texts;
-  for (const render::HudText& text : frame.texts) texts.push_back(text.text);
+  for (const render::HudText& text : hudOf(packet, memory).texts) texts.push_back(text.text);
   return texts;
 }
 
+sim::FramePacket playingAt(std::uint64_t tick) {
+  sim::FramePacket packet = packetAt(tick);
+  packet.hud.phaseTicks = static_cast<std::uint32_t>(tick);
+  packet.hud.rooms = 2;
+  return packet;
+}
+
 TEST(Hud, ShowsBallsAndDistance) {
-  sim::FramePacket packet = packetAt(1000);
+  sim::FramePacket packet = playingAt(1000);
   packet.hud.balls = 17;
   packet.hud.distance = 123.9f;
   EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("17", "123 m"));
 }
 
-TEST(Hud, FillsTheRingWithTheStreak) {
-  sim::FramePacket packet = packetAt(1000);
+TEST(Hud, ShowsNoBallsWhereTheyAreFree) {
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.countsBalls = false;
+  EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("0 m"));
+  EXPECT_THAT(hudOf(packet).arcs, IsEmpty());
+}
+
+TEST(Hud, WarmsAPartOfTheRingForEachCrystalOfTheStreak) {
+  sim::FramePacket packet = playingAt(1000);
+  const render::Frame none = hudOf(packet);
   packet.hud.streak = 23;
-  render::Frame frame;
-  addHud(packet, {}, 1000.0, frame);
-  ASSERT_GE(frame.arcs.size(), 2u);
-  EXPECT_FLOAT_EQ(frame.arcs[1].to, 0.3f);
+  const render::Frame three = hudOf(packet);
+  for (std::size_t i = 0; i < kStreakParts; ++i) EXPECT_EQ(three.arcs[i].color != none.arcs[i].color, i < 3) << i;
 }
 
-TEST(Hud, HasADotForEachBallOfAThrow) {
-  sim::FramePacket packet = packetAt(1000);
-  render::Frame one, three;
-  addHud(packet, {}, 1000.0, one);
+TEST(Hud, HasABallForEachOfAThrow) {
+  sim::FramePacket packet = playingAt(1000);
+  const std::size_t one = hudOf(packet).arcs.size();
   packet.hud.ballsPerThrow = 3;
-  addHud(packet, {}, 1000.0, three);
-  EXPECT_EQ(three.arcs.size(), one.arcs.size() + 2);
+  const std::size_t three = hudOf(packet).arcs.size();
+  EXPECT_EQ(three - one, 2 * (one - kStreakParts));
 }
 
-TEST(Hud, TheBarGrowsWithTheRoom) {
-  sim::FramePacket packet = packetAt(1000);
+TEST(Hud, ABarForEachRoomFillsAsTheRoomIsPassed) {
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.rooms = 3;
+  packet.hud.room = 1;
   packet.hud.roomProgress = 0.25f;
-  render::Frame frame;
-  addHud(packet, {}, 1000.0, frame);
-  ASSERT_EQ(frame.quads.size(), 2u);
-  EXPECT_FLOAT_EQ(frame.quads[1].size.x(), 0.25f * frame.quads[0].size.x());
-  const float left = frame.quads[0].at.offset.x() - 0.5f * frame.quads[0].size.x();
-  EXPECT_FLOAT_EQ(frame.quads[1].at.offset.x() - 0.5f * frame.quads[1].size.x(), left);
+  const std::vector<render::HudQuad> quads = hudOf(packet).quads;
+  ASSERT_EQ(quads.size(), 5u);  // three bars, one of them full and one in part
+  EXPECT_FLOAT_EQ(quads[1].size.x(), quads[0].size.x());
+  EXPECT_FLOAT_EQ(quads[3].size.x(), 0.25f * quads[2].size.x());
+  const auto left = [](const render::HudQuad& quad) { return quad.at.offset.x() - 0.5f * quad.size.x(); };
+  EXPECT_NEAR(left(quads[3]), left(quads[2]), 1e-6f);
 }
 
 TEST(Hud, HintsUntilTheFirstThrow) {
-  const sim::FramePacket packet = packetAt(100);
+  const sim::FramePacket packet = playingAt(100);
   EXPECT_THAT(textsOf(packet), Contains("TAP TO THROW"));
-  sim::FramePacket thrown = packetAt(90);
+  sim::FramePacket thrown = playingAt(90);
   thrown.events.push_back(eventOf(sim::EventType::Throw, Vec3::Zero()));
   Memory memory;
   memory.tick(thrown);
   EXPECT_THAT(textsOf(packet, memory), Not(Contains("TAP TO THROW")));
-  EXPECT_THAT(textsOf(packetAt(400)), Not(Contains("TAP TO THROW")));
+  EXPECT_THAT(textsOf(playingAt(400)), Not(Contains("TAP TO THROW")));
+}
+
+TEST(Hud, HintsAreForTheBeginning) {
+  sim::FramePacket packet = playingAt(100);
+  packet.hud.distance = 2000.0f;
+  EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("25", "2000 m"));
+}
+
+TEST(Hud, CountsTheLastBallsDown) {
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.balls = 8;
+  Memory memory;
+  memory.tick(packet);
+  packet = playingAt(1001);
+  packet.hud.balls = 7;
+  memory.tick(packet);
+  const auto largest = [](const render::Frame& frame) {
+    float height = 0.0f;
+    for (const render::HudText& text : frame.texts)
+      if (text.text == "7") height = maxOf(height, text.height);
+    return height;
+  };
+  EXPECT_GT(largest(hudOf(packet, memory)), 0.2f);
+  packet.tick = 1100;
+  EXPECT_LT(largest(hudOf(packet, memory)), 0.1f);
+  packet.hud.balls = 9;  // a ball won is no reason to count
+  memory.tick(packet);
+  EXPECT_LT(largest(hudOf(packet, memory)), 0.1f);
+}
+
+TEST(Hud, WonBallsFlyFromTheirCrystalToTheCounter) {
+  sim::FramePacket packet = playingAt(100);
+  sim::Event won = eventOf(sim::EventType::Crystal, packet.camera.position + Vec3(-1.0f, -0.5f, -4.0f));
+  won.value = 5;
+  packet.events.push_back(won);
+  Memory memory;
+  memory.tick(packet);
+  packet.events.clear();
+  const auto placeAt = [&](std::uint64_t tick) {
+    packet.tick = tick;
+    render::Frame frame;
+    frame.camera.position = packet.camera.position;
+    addHud(packet, memory, static_cast<double>(tick), kAspect, frame);
+    for (const render::HudText& text : frame.texts)
+      if (text.text == "+5") return text.at.anchor;
+    return Vec2(-1.0f, -1.0f);
+  };
+  EXPECT_LT(placeAt(102).x(), 0.4f);
+  EXPECT_GT(placeAt(102).y(), 0.4f);
+  EXPECT_NEAR(placeAt(140).x(), 0.5f, 0.05f);
+  EXPECT_LT(placeAt(140).y(), 0.1f);
+  EXPECT_EQ(placeAt(160).x(), -1.0f);
+}
+
+TEST(Hud, LostBallsFall) {
+  sim::FramePacket packet = playingAt(1000);
+  const std::size_t before = hudOf(packet).arcs.size();
+  sim::Event crash = eventOf(sim::EventType::Crash, Vec3::Zero());
+  crash.value = 4;
+  packet.events.push_back(crash);
+  Memory memory;
+  memory.tick(packet);
+  packet.tick = 1020;
+  EXPECT_THAT(textsOf(packet, memory), Contains("-4"));
+  EXPECT_EQ(hudOf(packet, memory).arcs.size(), before + 4 * (before - kStreakParts));
 }
 
 TEST(Hud, ACrashReddensTheBorder) {
-  sim::FramePacket packet = packetAt(1000);
-  render::Frame frame;
-  addHud(packet, {}, 1000.0, frame);
-  EXPECT_EQ(frame.border.w(), 0.0f);
-  EXPECT_EQ(frame.tint.w(), 0.0f);
+  sim::FramePacket packet = playingAt(1000);
+  EXPECT_EQ(hudOf(packet).border.w(), 0.0f);
+  EXPECT_EQ(hudOf(packet).tint.w(), 0.0f);
   packet.hud.pain = 1.0f;
-  addHud(packet, {}, 1000.0, frame);
-  EXPECT_GT(frame.border.w(), 0.5f);
-  EXPECT_GT(frame.tint.w(), 0.2f);
+  EXPECT_GT(hudOf(packet).border.w(), 0.5f);
+  EXPECT_GT(hudOf(packet).tint.w(), 0.2f);
+}
+
+TEST(Hud, TheTitleStandsAloneAndGoesWithTheFirstTouch) {
+  sim::FramePacket packet = playingAt(100);
+  packet.hud.phase = sim::Phase::Title;
+  EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("BRITTLE", "TAP TO BEGIN"));
+  packet.hud.phase = sim::Phase::Playing;
+  packet.events.push_back(eventOf(sim::EventType::Begin, Vec3::Zero()));
+  Memory memory;
+  memory.tick(packet);
+  packet.tick = 110;
+  EXPECT_THAT(textsOf(packet, memory), Contains("BRITTLE"));
+  packet.tick = 130;
+  EXPECT_THAT(textsOf(packet, memory), Not(Contains("BRITTLE")));
+}
+
+TEST(Hud, NamesTheRoomThatIsEntered) {
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.room = 1;
+  packet.events.push_back(eventOf(sim::EventType::RoomEntered, Vec3::Zero()));
+  Memory memory;
+  memory.tick(packet);
+  packet.tick = 1050;
+  EXPECT_THAT(textsOf(packet, memory), Contains("ROOM 2"));
+  packet.tick = 1170;
+  EXPECT_THAT(textsOf(packet, memory), Not(Contains("ROOM 2")));
 }
 
 TEST(Hud, SaysHowItEnded) {
-  sim::FramePacket packet = packetAt(1000);
-  packet.hud.gameOver = true;
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.phase = sim::Phase::GameOver;
   EXPECT_THAT(textsOf(packet), Contains("OUT OF BALLS"));
-  packet.hud.levelDone = true;
-  EXPECT_THAT(textsOf(packet), Contains("LEVEL DONE"));
+  EXPECT_THAT(textsOf(packet), Contains("TAP TO TRY AGAIN"));
+  packet.hud.phase = sim::Phase::Checkpoint;
+  packet.hud.checkpointBalls = 31;
+  EXPECT_THAT(textsOf(packet), Contains("CHECKPOINT"));
+  EXPECT_THAT(textsOf(packet), Contains("31"));
+  EXPECT_GT(hudOf(packet).tint.w(), 0.2f);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/view/air.h"
 #include "game/view/particles.h"
 #include "packets.h"
 
@@ -50,6 +51,16 @@ TEST(Memory, KnowsWhenTheBallsChanged) {
   EXPECT_EQ(memory.ballsAge(5.0), 3.0f);
 }
 
+TEST(Memory, KnowsByHowMuchTheBallsChanged) {
+  Memory memory;
+  for (const std::int32_t balls : {25, 24, 29}) {
+    sim::FramePacket packet = packetAt(static_cast<std::uint64_t>(balls));
+    packet.hud.balls = balls;
+    memory.tick(packet);
+  }
+  EXPECT_EQ(memory.ballsChange(), 5);
+}
+
 TEST(Particles, StayInPlaceWhenTheOriginShifts) {
   sim::FramePacket packet = packetAt(40);
   packet.rooms[0].particles = "dust";
@@ -60,10 +71,12 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
   broken.events.push_back(eventOf(sim::EventType::Break, Vec3(0.5f, 1.0f, -3.0f)));
   memory.tick(broken);
   render::Frame frame, shifted;
-  addParticles(packet, memory, 40.0, 16.0f / 9.0f, frame);
+  addParticles(packet, memory, 40.0, frame);
+  addAir(packet, 40.0, frame);
   packet.originZ -= 64.0;
   packet.camera.position.z() += 64.0f;
-  addParticles(packet, memory, 40.0, 16.0f / 9.0f, shifted);
+  addParticles(packet, memory, 40.0, shifted);
+  addAir(packet, 40.0, shifted);
   ASSERT_GT(frame.glows.size(), 40u);
   ASSERT_EQ(shifted.glows.size(), frame.glows.size());
   for (std::size_t i = 0; i < frame.glows.size(); ++i) {
@@ -74,22 +87,57 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
 
 TEST(Particles, AreNoneWhenNobodyAsks) {
   render::Frame frame;
-  addParticles(packetAt(40), {}, 40.0, 16.0f / 9.0f, frame);
+  addParticles(packetAt(40), {}, 40.0, frame);
+  addAir(packetAt(40), 40.0, frame);
   EXPECT_TRUE(frame.glows.empty());
 }
 
-TEST(Particles, AWonCrystalSaysHowMuch) {
+TEST(Particles, DependOnWhatBreaks) {
+  const auto of = [](sim::Look look) {
+    sim::FramePacket packet = packetAt(40);
+    packet.events.push_back(eventOf(sim::EventType::Break, Vec3(0.0f, 1.0f, -3.0f)));
+    packet.events[0].look = look;
+    packet.events[0].size = 0.5f;
+    Memory memory;
+    memory.tick(packet);
+    render::Frame frame;
+    addParticles(packet, memory, 44.0, frame);
+    return frame;
+  };
+  const auto stars = [](const render::Frame& frame) {
+    return std::count_if(frame.glows.begin(), frame.glows.end(), [](const render::Glow& g) { return g.star > 0.0f; });
+  };
+  EXPECT_GT(stars(of(sim::Look::Crystal)), stars(of(sim::Look::Glass)));
+  EXPECT_GT(stars(of(sim::Look::Glass)), 0);
+  EXPECT_EQ(stars(of(sim::Look::Wood)), 0);
+  EXPECT_FALSE(of(sim::Look::Wood).beams.empty());  // splinters
+}
+
+TEST(Particles, OfABreakAreGoneWellBeforeItIsForgotten) {
   sim::FramePacket packet = packetAt(40);
-  packet.events.push_back(eventOf(sim::EventType::Crystal, Vec3(0.0f, 0.6f, -4.0f)));
-  packet.events[0].value = 3;
+  packet.events.push_back(eventOf(sim::EventType::Break, Vec3(0.0f, 1.0f, -3.0f)));
   Memory memory;
   memory.tick(packet);
   render::Frame frame;
-  frame.camera.position = packet.camera.position;
-  addParticles(packet, memory, 40.0, 16.0f / 9.0f, frame);
-  ASSERT_EQ(frame.texts.size(), 1u);
-  EXPECT_EQ(frame.texts[0].text, "+3");
-  EXPECT_NEAR(frame.texts[0].at.anchor.x(), 0.5f, 1e-6f);
+  addParticles(packet, memory, 40.0 + kMemoryTicks - 1.0, frame);
+  EXPECT_TRUE(frame.glows.empty());
+  EXPECT_TRUE(frame.beams.empty());
+}
+
+TEST(Air, MovesAsItsNameSays) {
+  const auto meanHeight = [](const char* name, double tick) {
+    sim::FramePacket packet = packetAt(0);
+    packet.rooms[0].particles = name;
+    render::Frame frame;
+    addAir(packet, tick, frame);
+    float sum = 0.0f;
+    for (const render::Glow& glow : frame.glows) sum += glow.position.y();
+    return sum / static_cast<float>(frame.glows.size());
+  };
+  EXPECT_LT(meanHeight("lowrising", 0.0), 0.6f);
+  EXPECT_GT(meanHeight("falling", 0.0), 0.6f);
+  EXPECT_NE(meanHeight("bubbles", 0.0), meanHeight("bubbles", 10.0));
+  EXPECT_EQ(meanHeight("no such air", 5.0), meanHeight("falling", 5.0));
 }
 
 }  // namespace

@@ -144,6 +144,16 @@ std::uint64_t hashOf(const render::Frame& frame) {
     addWords(hash, glow.position);
     hash.add(glow.color);
   }
+  for (const render::Decal& decal : frame.decals) {
+    addWords(hash, decal.position);
+    hash.add(decal.color);
+  }
+  for (const render::HudArc& arc : frame.arcs) {
+    hash.add(arc.at.offset.y());
+    hash.add(arc.color);
+  }
+  for (const render::Surroundings::Lamp& lamp : frame.surroundings.lamps) hash.add(lamp.light);
+  addWords(hash, frame.surroundings.left);
   for (const render::HudText& text : frame.texts) {
     hash.addBytes(text.text.data(), text.text.size());
     hash.add(text.color);

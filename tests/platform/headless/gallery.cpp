@@ -83,7 +83,7 @@ void addBrokenPane(Filler& filler, const Vec3& at, const Vec3& half, int cuts, c
     const Quat rotation = rotationAbout(axis, turn);
     const Vec3 moved = at + center + 0.6f * away + 0.15f * drift + Vec3(0.0f, -0.25f, -0.5f * turn);
     filler.addThing(piece, moved - rotation * center, rotation, kGlass, color);
-    filler.gallery_.frame.shadows.push_back({moved, 0.14f, 0.22f});
+    filler.gallery_.frame.shadows.push_back({moved, Vec2(0.14f, 0.06f), turn, 0.22f});
   }
 }
 
@@ -100,7 +100,7 @@ void addBlock(Filler& filler, const Vec3& at, const Quat& turned, const Rgb& col
     filler.addThing(piece, at + turned * (apart * center) - rotation * center + turned * center, rotation, kCrystal,
                     color);
   }
-  filler.gallery_.frame.shadows.push_back({at, 0.4f, 0.45f});
+  filler.gallery_.frame.shadows.push_back({at - Vec3(0.0f, 0.35f, 0.0f), Vec2(0.35f, 0.35f), 0.6f, 0.45f});
 }
 
 void addFrame(Filler& filler, const Vec3& at, float width, float height) {
