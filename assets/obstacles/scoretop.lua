@@ -1,5 +1,5 @@
--- A crystal worth three balls: a pyramid with a smaller one under it.
--- raycast: drop it onto what is below.
+-- A crystal worth three balls: a pyramid that stands where it is put.
+-- static: false lets it be pushed over; raycast: drop it onto what is below.
 
 function init()
 	local at = 0
@@ -11,7 +11,9 @@ function init()
 	end
 
 	mgMaterial("glass")
-	mgStatic(1)
+	if mgGetBool("static", true) then
+		mgStatic(1)
+	end
 	mgCategory(4)
 	mgForceLimit(0.02)
 	mgColor(mgGetColor("color", 0.35, 0.75, 1.0))

@@ -10,6 +10,9 @@
 
 namespace brittle::content {
 
+/// Problem::what of an element that names a template which is not in the set.
+inline constexpr const char* kUnknownTemplate = "unknown template";
+
 struct TemplateAttribute {
   std::string name;
   std::string value;

@@ -33,7 +33,9 @@ bool closesAt(const std::string& text, std::size_t offset, const std::string& na
   return tag != std::string::npos && text.compare(tag + 2, name.size(), name) == 0;
 }
 
-bool isSane(double value) { return value <= kLargestNumber && value >= -kLargestNumber; }
+bool isSane(double value) {
+  return value <= kLargestNumber && value >= -kLargestNumber;
+}
 
 }  // namespace
 
@@ -82,14 +84,16 @@ void XmlFile::report(Problem problem) const {
     return other.file == problem.file && other.line == problem.line && other.what == problem.what;
   };
   if (problem.file != file_ && std::any_of(problems_.begin(), problems_.end(), same)) return;
-  if (problems_.size() == kMostProblems) problem = {file_, problem.line, "and further problems, which are not listed", {}, {}};
+  if (problems_.size() == kMostProblems)
+    problem = {file_, problem.line, "and further problems, which are not listed", {}, {}};
   if (problems_.size() <= kMostProblems) problems_.push_back(std::move(problem));
 }
 
 int XmlFile::lineOf(const char* text) const {
   for (const Piece& piece : pieces_) {
     const char* begin = piece.buffer.data();
-    if (std::less_equal<const char*>()(begin, text) && std::less_equal<const char*>()(text, begin + piece.buffer.size()))
+    if (std::less_equal<const char*>()(begin, text) &&
+        std::less_equal<const char*>()(text, begin + piece.buffer.size()))
       return lineAt(piece.start + static_cast<std::size_t>(text - begin));
   }
   return 0;
@@ -100,20 +104,24 @@ int XmlFile::lineAt(std::size_t offset) const {
   return static_cast<int>(after - lineStarts_.begin());
 }
 
-Attributes::Attributes(const XmlFile& xml, const pugi::xml_node& node, const TemplateSet* templates, std::set<std::string>& reported)
+Attributes::Attributes(const XmlFile& xml, const pugi::xml_node& node, const TemplateSet* templates,
+                       std::set<std::string>& reported)
     : xml_(xml), node_(node), line_(xml.lineOf(node)) {
   std::set<std::string_view> seen;
   for (const pugi::xml_attribute& attribute : node.attributes()) {
     if (!seen.insert(attribute.name()).second)
-      xml_.report({xml_.file(), xml_.lineOf(attribute.name()), std::string("duplicate attribute ") + attribute.name() + ": the first counts",
-                   attribute.value(), {}});
+      xml_.report({xml_.file(),
+                   xml_.lineOf(attribute.name()),
+                   std::string("duplicate attribute ") + attribute.name() + ": the first counts",
+                   attribute.value(),
+                   {}});
   }
   const pugi::xml_attribute name = node.attribute("template");
   if (templates == nullptr || name.empty() || *name.value() == '\0') return;
   template_ = templates->find(name.value());
   templateFile_ = &templates->file;
   if (template_ == nullptr && reported.insert(name.value()).second)
-    xml_.report({xml_.file(), xml_.lineOf(name.name()), "unknown template", name.value(), "one of templates.xml"});
+    xml_.report({xml_.file(), xml_.lineOf(name.name()), kUnknownTemplate, name.value(), "one of templates.xml"});
 }
 
 std::optional<Attributes::Place> Attributes::find(const char* name) const {
@@ -126,11 +134,13 @@ std::optional<Attributes::Place> Attributes::find(const char* name) const {
 }
 
 Attributes::Found Attributes::refuse(const char* name, const Place& place, const std::string& expected) const {
-  xml_.report({*place.file, place.line, std::string("<") + node_.name() + "> " + name, std::string(place.value), expected});
+  xml_.report(
+      {*place.file, place.line, std::string("<") + node_.name() + "> " + name, std::string(place.value), expected});
   return Found::Bad;
 }
 
-Attributes::Found Attributes::numbers(const char* name, std::initializer_list<std::size_t> counts, std::vector<double>& values) const {
+Attributes::Found Attributes::numbers(const char* name, std::initializer_list<std::size_t> counts,
+                                      std::vector<double>& values) const {
   const std::optional<Place> place = find(name);
   if (!place) return Found::Absent;
   const std::optional<std::vector<double>> parsed = parseNumbers(place->value);

@@ -4,9 +4,12 @@
 
 namespace brittle::sim {
 
-ContentReader::ContentReader(const content::AssetSource& assets) : assets_(assets), materials_(content::builtInMaterials()) {
-  if (const Result<std::string> found = text("templates.xml")) templates_ = content::readTemplates(*found, "templates.xml");
-  if (const Result<std::string> found = text("materials.xml")) materials_ = content::readMaterials(*found, "materials.xml");
+ContentReader::ContentReader(const content::AssetSource& assets)
+    : assets_(assets), materials_(content::builtInMaterials()) {
+  if (const Result<std::string> found = text("templates.xml"))
+    templates_ = content::readTemplates(*found, "templates.xml");
+  if (const Result<std::string> found = text("materials.xml"))
+    materials_ = content::readMaterials(*found, "materials.xml");
   addProblems(templates_.problems);
   addProblems(materials_.problems);
 }
@@ -21,18 +24,14 @@ Result<std::string> ContentReader::text(const std::string& name) {
   return found;
 }
 
-std::shared_ptr<const content::Segment> ContentReader::segment(const std::string& name) {
+Result<std::shared_ptr<const content::Segment>> ContentReader::segment(const std::string& name) {
   const auto known = segments_.find(name);
   if (known != segments_.end()) return known->second;
   const std::string file = "segments/" + name + ".xml";
   const Result<std::string> source = text(file);
-  std::shared_ptr<const content::Segment> made;
-  if (source) {
-    made = std::make_shared<const content::Segment>(content::readSegment(*source, file, templates_));
-    addProblems(made->problems);
-  } else {
-    problems_.push_back(source.error().message);
-  }
+  if (!source) return source.error();
+  const auto made = std::make_shared<const content::Segment>(content::readSegment(*source, file, templates_));
+  addProblems(made->problems);
   segments_[name] = made;
   return made;
 }
@@ -44,7 +43,10 @@ std::vector<std::string> ContentReader::takeProblems() {
 }
 
 void ContentReader::addProblems(const content::Problems& problems) {
-  for (const content::Problem& problem : problems) problems_.push_back(problem.text());
+  for (const content::Problem& problem : problems) {
+    const bool isKnown = problem.what == content::kUnknownTemplate && !unknownTemplates_.insert(problem.value).second;
+    if (!isKnown) problems_.push_back(problem.text());
+  }
 }
 
 }  // namespace brittle::sim

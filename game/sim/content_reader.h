@@ -1,10 +1,12 @@
-// game/sim/content_reader.h - the files a game reads, each once: templates, materials, segments, scripts. Keeps a hash over all of them, so
-// that a replay can tell whether it is played on the same content. Problems of files go to a list that the session takes over.
+// game/sim/content_reader.h - the files a game reads, each once: templates, materials, segments, scripts. Keeps a hash
+// over all of them, so that a replay can tell whether it is played on the same content. Problems of files go to a list
+// that the session takes over.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,14 +24,15 @@ class ContentReader {
 
   /// A text file.
   Result<std::string> text(const std::string& name);
-  /// segments/NAME.xml, or null and a problem.
-  std::shared_ptr<const content::Segment> segment(const std::string& name);
+  /// segments/NAME.xml.
+  Result<std::shared_ptr<const content::Segment>> segment(const std::string& name);
   const content::MaterialTable& materials() const { return materials_; }
 
   /// Over the names and bytes of every file read so far, whatever the order.
   std::uint64_t hash() const { return hash_; }
   /// What was wrong with files read since the last call.
   std::vector<std::string> takeProblems();
+  /// An unknown template counts once, however many files ask for it.
   void addProblems(const content::Problems& problems);
 
  private:
@@ -39,6 +42,7 @@ class ContentReader {
   std::map<std::string, Result<std::string>> texts_;
   std::map<std::string, std::shared_ptr<const content::Segment>> segments_;
   std::vector<std::string> problems_;
+  std::set<std::string> unknownTemplates_;
   std::uint64_t hash_ = 0;
 };
 

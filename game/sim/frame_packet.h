@@ -112,6 +112,9 @@ enum class Phase : std::uint8_t {
   GameOver     // out of balls: the camera stands where it was
 };
 
+/// "title", "playing", "checkpoint", "game over".
+const char* nameOf(Phase phase);
+
 struct Hud {
   Phase phase = Phase::Playing;
   std::uint32_t phaseTicks = 0;  // since the phase began

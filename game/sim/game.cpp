@@ -85,6 +85,11 @@ void Game::Impl::refreshHud() {
   hud.levelDone = stage.phase == Phase::Checkpoint;
 }
 
+const char* nameOf(Phase phase) {
+  constexpr const char* names[] = {"title", "playing", "checkpoint", "game over"};
+  return names[static_cast<int>(phase)];
+}
+
 Game::Game(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Game::~Game() = default;
 
@@ -236,8 +241,21 @@ std::uint32_t Game::totalCrashes() const {
 std::uint32_t Game::totalQuarantined() const {
   return impl_->session.score.quarantined;
 }
+std::uint32_t Game::totalCrystals() const {
+  return impl_->session.score.crystals;
+}
+std::uint32_t Game::totalCleared() const {
+  return impl_->session.score.cleared;
+}
+float Game::gravity() const {
+  return rules::kGravity * impl_->track->current().gravity();
+}
 const effects::EffectSet& Game::effects() const {
   return impl_->session.effects;
+}
+
+void Game::look(std::vector<Sight>& sights) const {
+  impl_->track->look(sights);
 }
 
 void Game::copyFrame(FramePacket& packet) const {

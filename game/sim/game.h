@@ -17,6 +17,7 @@
 #include "engine/replay/input_frame.h"
 #include "game/sim/event.h"
 #include "game/sim/frame_packet.h"
+#include "game/sim/sight.h"
 
 namespace brittle::content {
 class AssetSource;
@@ -104,8 +105,13 @@ class Game {
   std::int64_t globalOrigin() const;  // of that room [2^-8 m]
   std::uint32_t totalBreaks() const;  // breakings since the start
   std::uint32_t totalCrashes() const;
+  std::uint32_t totalCrystals() const;     // won since the start
+  std::uint32_t totalCleared() const;      // obstacles dealt with since the start
+  float gravity() const;                   // of the room the camera is in [m/s2]
   std::uint32_t totalQuarantined() const;  // bodies removed because a number in them was not finite: must stay 0
 
+  /// What a player can see ahead, nearest first; for scripted players.
+  void look(std::vector<Sight>& sights) const;
   /// Copies out all that the picture needs; reuses the packet's memory.
   void copyFrame(FramePacket& packet) const;
   /// The mesh pool of room slot 0 or 1, or null if there is no room in it. The renderer mirrors it and clears its dirty

@@ -30,7 +30,10 @@ void readAhead(Session& session, const std::vector<RoomEntry>& entries) {
   std::map<std::string, std::string> globals = session.globals;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const RoomPlan plan = planRoom(session, entries[i], roomSeed(session, entries[i], i), globals);
-    for (const ObstacleDef& obstacle : plan.obstacles) (void)session.files.text("obstacles/" + obstacle.type + ".lua");
+    for (const ObstacleDef& obstacle : plan.obstacles) {
+      const Result<std::string> script = session.files.text("obstacles/" + obstacle.type + ".lua");
+      if (!script) session.reportMissing("obstacle " + obstacle.type, obstacle.where, script.error().message);
+    }
   }
 }
 

@@ -40,14 +40,15 @@ void Obstacle::start() {
     if (!called) status = called.error();
   }
   if (!status) {
-    room->session().report(def->where + ": obstacle " + def->type + ": " + status.error().message);
+    room->session().reportMissing("obstacle " + def->type, def->where, status.error().message);
     failed = true;
   }
   physics::World& world = room->world();
   for (ScriptBody& body : bodies) {
     if (!body.handle || !world.isAlive(body.handle)) continue;
     const physics::Body& made = world.body(body.handle);
-    if (made.userData == number && made.type == physics::BodyType::Static && made.breaking.strength > 0.0f) world.anchor(body.handle);
+    if (made.userData == number && made.type == physics::BodyType::Static && made.breaking.strength > 0.0f)
+      world.anchor(body.handle);
   }
 }
 
@@ -59,7 +60,7 @@ void Obstacle::tickScript() {
     scriptHashed_ = false;
     const Result<script::Value> called = script->call("tick");
     if (!called) {
-      room->session().report(def->where + ": obstacle " + def->type + ": " + called.error().message);
+      room->session().reportMissing("obstacle " + def->type, def->where, called.error().message);
       failed = true;  // its bodies stay as they are
     }
   }
@@ -81,7 +82,8 @@ bool Obstacle::restoreScript(ByteReader& in) {
 void Obstacle::saveScript(ByteWriter& out) const {
   ByteWriter saved;
   const bool isSaved = script && static_cast<bool>(script->save(saved));
-  if (script && !isSaved) room->session().report(def->where + ": obstacle " + def->type + ": its state cannot be saved");
+  if (script && !isSaved)
+    room->session().report(def->where + ": obstacle " + def->type + ": its state cannot be saved");
   out.write(isSaved);
   out.writeBytes(saved.bytes().data(), saved.bytes().size());
 }

@@ -1,6 +1,6 @@
-// game/sim/obstacle.h - one obstacle of a room: its place and parameters, the bodies its script made, and its script. Numbers that a
-// script holds (of bodies, shapes, joints, buttons) are indices + 1 here, so a script's state is plain numbers. Positions a script
-// names are in the obstacle's frame.
+// game/sim/obstacle.h - one obstacle of a room: its place and parameters, the bodies its script made, and its script.
+// Numbers that a script holds (of bodies, shapes, joints, buttons) are indices + 1 here, so a script's state is plain
+// numbers. Positions a script names are in the obstacle's frame.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ class Room;
 
 /// What a segment or a room script asked for.
 struct ObstacleDef {
-  std::string type;                          // obstacles/TYPE.lua
-  Vec3 position = Vec3::Zero();              // room frame [m]
-  Vec3 rotation = Vec3::Zero();              // about X, Y, Z [rad]
+  std::string type;              // obstacles/TYPE.lua
+  Vec3 position = Vec3::Zero();  // room frame [m]
+  Vec3 rotation = Vec3::Zero();  // about X, Y, Z [rad]
   std::map<std::string, std::string> parameters;
-  std::string where;                         // "file:line" that asked
+  std::string where;  // "file:line" that asked
 };
 
 /// A drive as the script set it, in the obstacle's frame.
@@ -50,15 +50,15 @@ struct ScriptDrive {
 };
 
 struct ScriptBody {
-  physics::BodyHandle handle;                // null until its first shape is made
-  std::uint32_t assembly = 0;                // all that became of it
-  Transform pose;                            // as asked for, obstacle frame
+  physics::BodyHandle handle;  // null until its first shape is made
+  std::uint32_t assembly = 0;  // all that became of it
+  Transform pose;              // as asked for, obstacle frame
   ScriptDrive drive;
   Look look = Look::Glass;
-  float volume = 0.0f;                       // as built [m3]
-  float strength = 0.0f;                     // of its weakest shape [N s]; 0: unbreakable
+  float volume = 0.0f;    // as built [m3]
+  float strength = 0.0f;  // of its weakest shape [N s]; 0: unbreakable
   std::uint32_t breaks = 0;
-  bool gone = false;                         // fell or was left behind
+  bool gone = false;  // fell or was left behind
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -77,16 +77,18 @@ struct ScriptBody {
 
 struct ScriptShape {
   physics::ShapeHandle handle;
-  std::uint32_t body = 0;                    // as built: number in Obstacle::bodies
+  std::uint32_t body = 0;     // as built: number in Obstacle::bodies
+  Vec3 moved = Vec3::Zero();  // since it was made, in its body's frame [m]
   template <class Archive>
   void serialize(Archive& a) {
     a(handle);
     a(body);
+    a(moved);
   }
 };
 
 struct ScriptButton {
-  std::uint32_t body = 0;                    // number in Obstacle::bodies
+  std::uint32_t body = 0;  // number in Obstacle::bodies
   bool down = false, justPressed = false;
   template <class Archive>
   void serialize(Archive& a) {
@@ -114,18 +116,18 @@ enum class Stage : std::uint8_t { Waiting, Alive, Gone };
 struct Obstacle {
   // From the content; the same whenever the room is made anew.
   const ObstacleDef* def = nullptr;
-  std::uint32_t number = 0;                  // from 1, in its room: Body::userData of all it made
+  std::uint32_t number = 0;  // from 1, in its room: Body::userData of all it made
   Room* room = nullptr;
 
   // State.
   Stage stage = Stage::Waiting;
-  bool failed = false;                       // its script stopped with an error
+  bool failed = false;  // its script stopped with an error
   bool cleared = false;
-  bool touched = false;                      // the camera has crashed into it
-  std::uint32_t ticks = 0;                   // since it came alive
-  std::int32_t crystal = 0;                  // balls it is worth; 0: none
-  bool crystalDone = false;                  // won or missed
-  bool laser = false;                        // a beam hits the camera this tick
+  bool touched = false;      // the camera has crashed into it
+  std::uint32_t ticks = 0;   // since it came alive
+  std::int32_t crystal = 0;  // balls it is worth; 0: none
+  bool crystalDone = false;  // won or missed
+  bool laser = false;        // a beam hits the camera this tick
   Pen pen;
   std::vector<ScriptBody> bodies;
   std::vector<ScriptShape> shapes;
@@ -137,8 +139,11 @@ struct Obstacle {
 
   /// From the obstacle's frame to its room's local frame of now.
   Transform pose() const;
-  ScriptBody* bodyAt(int index) { return index > 0 && index <= static_cast<int>(bodies.size()) ? &bodies[index - 1] : nullptr; }
-  /// The number of a body that this obstacle's things belong to, or of any other body (which gets a number). 0: no such body.
+  ScriptBody* bodyAt(int index) {
+    return index > 0 && index <= static_cast<int>(bodies.size()) ? &bodies[index - 1] : nullptr;
+  }
+  /// The number of a body that this obstacle's things belong to, or of any other body (which gets a number). 0: no such
+  /// body.
   int numberOf(physics::BodyHandle handle);
 
   /// Reads the script and calls its init(). What fails is reported, and what was made so far stays.
@@ -170,7 +175,7 @@ struct Obstacle {
 
  private:
   Status load();
-  mutable std::uint64_t scriptHash_ = 0;     // of the state it had when last asked
+  mutable std::uint64_t scriptHash_ = 0;  // of the state it had when last asked
   mutable bool scriptHashed_ = false;
 };
 

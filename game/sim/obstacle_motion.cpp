@@ -98,23 +98,18 @@ void releaseMotion(script::Call& call, Obstacle& obstacle) {
   body->drive = ScriptDrive{};
 }
 
+/// Of the body alone, not of what has broken off: mgGetShapeBody names the body that holds a certain shape.
 template <bool angular>
 void setVelocity(script::Call& call, Obstacle& obstacle) {
   ScriptBody* body = readBody(call, obstacle, 1);
   const Vec3 value = readVector(call, 2);
   if (call.failed()) return;
   physics::World& world = obstacle.room->world();
+  const physics::BodyHandle handle = currentBody(obstacle, *body);
+  if (!handle || !world.body(handle).isDynamic()) return;
   const Vec3 velocity = obstacle.pose().rotate(value);
-  std::vector<physics::BodyHandle> bodies;
-  world.bodiesOf(body->assembly, bodies);
-  for (const physics::BodyHandle handle : bodies) {
-    const physics::Body& now = world.body(handle);
-    if (!now.isDynamic()) continue;
-    const Vec3 linear = angular ? now.velocity : velocity;
-    const Vec3 turning = angular ? velocity : now.angularVelocity;
-    world.setVelocity(handle, linear, turning);
-    world.wake(handle);
-  }
+  const physics::Body& now = world.body(handle);
+  world.setVelocity(handle, angular ? now.velocity : velocity, angular ? velocity : now.angularVelocity);
 }
 
 void clonePose(script::Call& call, Obstacle& obstacle) {

@@ -39,7 +39,8 @@ Look lookOf(const Material& material) {
   return material.look == Look::Glass && material.category == rules::kCategoryCrystal ? Look::Crystal : material.look;
 }
 
-/// A body is as strong as its weakest shape, but never too weak for its own weight: the format's force limits do not grow with size.
+/// A body is as strong as its weakest shape, but never too weak for its own weight: the format's force limits do not
+/// grow with size.
 void strengthen(physics::World& world, ScriptBody& body, physics::Breakable breakable) {
   if (breakable.strength <= 0.0f) return;
   if (body.strength > 0.0f && body.strength < breakable.strength) breakable = world.body(body.handle).breaking;
@@ -83,7 +84,8 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
 
 float sizeArgument(script::Call& call, int index) {
   const float size = call.real(index);
-  if (!call.failed() && !(size >= 0.001f && size <= 500.0f)) call.fail("size " + std::to_string(size) + ": expected 0.001 to 500");
+  if (!call.failed() && !(size >= 0.001f && size <= 500.0f))
+    call.fail("size " + std::to_string(size) + ": expected 0.001 to 500");
   return size;
 }
 
@@ -126,6 +128,59 @@ void clearShapes(script::Call& call, Obstacle& obstacle) {
     if (world.isAlive(shape.handle) && world.bodyOf(shape.handle) == body->handle) world.removeShape(shape.handle);
 }
 
+/// The shape of argument 1 if it still is as it was made; null, without a failure, once it is broken or gone.
+ScriptShape* readWholeShape(script::Call& call, Obstacle& obstacle) {
+  const int number = call.integer(1);
+  if (call.failed()) return nullptr;
+  if (number < 1 || number > static_cast<int>(obstacle.shapes.size())) {
+    call.fail("no shape " + std::to_string(number));
+    return nullptr;
+  }
+  ScriptShape& shape = obstacle.shapes[static_cast<std::size_t>(number) - 1];
+  const physics::World& world = obstacle.room->world();
+  return world.isAlive(shape.handle) && !world.shape(shape.handle).isPiece ? &shape : nullptr;
+}
+
+/// The same shape with another surface, `offset` [m] away in its body's frame. Joints that held it are gone.
+void remake(Obstacle& obstacle, ScriptShape& made, const physics::Surface& surface, const Vec3& offset) {
+  physics::World& world = obstacle.room->world();
+  const physics::Shape old = world.shape(made.handle);
+  physics::ShapeDef def;
+  def.surface = surface;
+  def.anchored = old.anchored;
+  def.drawMaterial = old.drawMaterial;
+  def.drawFlags = old.drawFlags;
+  def.userData = old.userData;
+  const geometry::Convex convex = geometry::transformed(world.meshes().view(old.mesh), Quat::Identity(), offset);
+  const physics::ShapeHandle moved = world.addConvex(old.body, def, convex);
+  world.removeShape(made.handle);
+  made.handle = moved;
+}
+
+/// Moves a shape within its body: by a way, or with a last argument of false to a place relative to where it was made.
+void translateShape(script::Call& call, Obstacle& obstacle) {
+  const Vec3 way = readVector(call, 2);
+  const bool isRelative = call.boolean(5, true);
+  ScriptShape* shape = readWholeShape(call, obstacle);
+  if (call.failed() || shape == nullptr) return;
+  if (!(way.norm() < 1000.0f)) return call.fail("way: expected less than 1000");
+  remake(obstacle, *shape, obstacle.room->world().shape(shape->handle).surface,
+         isRelative ? way : Vec3(way - shape->moved));
+  shape->moved = isRelative ? Vec3(shape->moved + way) : way;
+}
+
+void setShapeMask(script::Call& call, Obstacle& obstacle) {
+  Material bits = obstacle.pen.material;
+  bits.mask = static_cast<std::uint32_t>(call.integer(2));
+  const int category = call.integer(3, 0);
+  ScriptShape* shape = readWholeShape(call, obstacle);
+  if (call.failed() || shape == nullptr) return;
+  physics::Surface surface = obstacle.room->world().shape(shape->handle).surface;
+  surface.mask = surfaceOf(bits).mask;
+  if (call.has(3)) surface.category = static_cast<std::uint32_t>(category);
+  remake(obstacle, *shape, surface, Vec3::Zero());
+}
+
 void setMaterial(script::Call& call, Obstacle& obstacle) {
   const std::string name = call.string(1);
   if (call.failed()) return;
@@ -150,7 +205,8 @@ void setShapeColor(script::Call& call, Obstacle& obstacle) {
   const float g = call.real(3);
   const float b = call.real(4);
   if (call.failed()) return;
-  if (number < 1 || number > static_cast<int>(obstacle.shapes.size())) return call.fail("no shape " + std::to_string(number));
+  if (number < 1 || number > static_cast<int>(obstacle.shapes.size()))
+    return call.fail("no shape " + std::to_string(number));
   physics::World& world = obstacle.room->world();
   const physics::ShapeHandle shape = obstacle.shapes[static_cast<std::size_t>(number) - 1].handle;
   if (world.isAlive(shape)) world.meshes().setColor(world.shape(shape).mesh, packColor(r, g, b, 1.0f));
@@ -197,6 +253,8 @@ void addShapeCalls(script::Library& library) {
   addCall(library, "mgCreateMesh", createMesh);
   addCall(library, "mgClearShapes", clearShapes);
   addCall(library, "mgSetShapeColor", setShapeColor);
+  addCall(library, "mgTranslateShape", translateShape);
+  addCall(library, "mgSetShapeMask", setShapeMask);
 }
 
 }  // namespace brittle::sim

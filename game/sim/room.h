@@ -16,6 +16,7 @@
 #include "game/sim/obstacle.h"
 #include "game/sim/room_plan.h"
 #include "game/sim/session.h"
+#include "game/sim/sight.h"
 
 namespace brittle::sim {
 
@@ -59,6 +60,10 @@ class Room {
   const std::vector<Ball>& balls() const { return balls_; }
   /// Added to this room's local positions when it is shown in the frame of another: set by the track.
   void setFrameOffset(const Vec3& offset) { frameOffset_ = offset; }
+  /// Appends what can be seen from the camera, by obstacle; of each threat what is nearest to the camera's way.
+  void look(std::vector<Sight>& sights) const;
+  /// Whether nothing of this room but `owner` and balls is on the line to a place, given in the axes of Sight.
+  bool isInSight(const Vec3& position, std::uint32_t owner) const;
   void copyView(RoomView& view, std::vector<BallView>& balls) const;
 
   std::uint64_t stateHash() const;
@@ -103,6 +108,10 @@ class Room {
   bool blocks(physics::ShapeHandle shape) const;
   void copyRopes(RoomView& view) const;
   void copySegments(RoomView& view) const;
+  bool seeAs(const Obstacle& obstacle, physics::BodyHandle handle, Sight& sight) const;
+  bool seeThreat(physics::BodyHandle handle, Sight& sight) const;
+  const ScriptButton* buttonOf(const Obstacle& obstacle, physics::BodyHandle handle) const;
+  Vec3 nearestPoint(physics::ShapeHandle shape, const Vec3& to) const;
   Obstacle* obstacleOf(std::uint32_t userData);
   template <class Archive>
   void serialize(Archive& a);

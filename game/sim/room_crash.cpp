@@ -1,4 +1,5 @@
-// Does the camera fit? A geometric test of the camera's volume against what stands in the way, not a flag: a hole that was shot is a way.
+// Does the camera fit? A geometric test of the camera's volume against what stands in the way, not a flag: a hole that
+// was shot is a way.
 #include "engine/geometry/gjk.h"
 #include "game/sim/room.h"
 
@@ -9,18 +10,19 @@ namespace {
 struct Obstruction {
   physics::BodyHandle body;
   std::uint32_t owner = 0;
-  Vec3 point = Vec3::Zero();           // where it is nearest to the camera
+  Vec3 point = Vec3::Zero();  // where it is nearest to the camera
 };
 
-Vec3 nearestPoint(const physics::World& world, physics::ShapeHandle handle, const Vec3& to) {
-  const physics::Shape& shape = world.shape(handle);
+}  // namespace
+
+Vec3 Room::nearestPoint(physics::ShapeHandle handle, const Vec3& to) const {
+  const physics::Shape& shape = world_->shape(handle);
   geometry::SimplexCache cache;
   const geometry::Proxy eye{{}, Vec3::Zero(), 0.001f};
-  const Transform& pose = world.body(shape.body).pose;
-  return geometry::separation(eye, {to, Quat::Identity()}, physics::proxyOf(shape, world.meshes()), pose, cache).pointB;
+  const Transform& pose = world_->body(shape.body).pose;
+  const geometry::Proxy proxy = physics::proxyOf(shape, world_->meshes());
+  return geometry::separation(eye, {to, Quat::Identity()}, proxy, pose, cache).pointB;
 }
-
-}  // namespace
 
 bool Room::blocks(physics::ShapeHandle handle) const {
   const physics::Shape& shape = world_->shape(handle);
@@ -56,7 +58,8 @@ void Room::crashTest() {
     const physics::BodyHandle body = world_->bodyOf(handle);
     const std::uint32_t owner = world_->body(body).userData;
     const Obstacle* obstacle = obstacleOf(owner);
-    if (obstacle == nullptr || !obstacle->touched) found.push_back({body, owner, nearestPoint(*world_, handle, viewpoint_.position)});
+    if (obstacle == nullptr || !obstacle->touched)
+      found.push_back({body, owner, nearestPoint(handle, viewpoint_.position)});
     return true;
   });
   const bool isBurnt = checkLasers();

@@ -59,8 +59,16 @@ struct RoomEntry {
 RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
                   std::map<std::string, std::string>& globals);
 
-/// Appends a segment of the content at `start` [m] with the obstacles it holds; its length, or 0 if it cannot be read
-/// (reported).
-float placeSegment(Session& session, const std::string& name, float start, RoomPlan& plan);
+/// Appends a segment of the content at `start` [m] with the obstacles it holds; its length, or 0 if it cannot be read,
+/// which is reported to be wanted at `where`.
+float placeSegment(Session& session, const std::string& name, float start, const std::string& where, RoomPlan& plan);
+
+/// Appends a single box given in the room's frame.
+void placeBox(const LookBox& box, bool isSolid, RoomPlan& plan);
+
+/// The community's "stone": a box that is seen and does not collide. Three of four obstacles are stones, so they cost
+/// no script.
+inline constexpr const char* kStone = "stone";
+LookBox stoneLook(const ObstacleDef& stone);
 
 }  // namespace brittle::sim

@@ -51,7 +51,7 @@ void segment(script::Call& call, Builder& builder) {
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many segments");
   if (!(start > -1000.0f && start < 10000.0f))
     return call.fail("place " + std::to_string(start) + ": expected -1000 to 10000");
-  const float length = placeSegment(builder.session, name, start, builder.plan);
+  const float length = placeSegment(builder.session, name, start, call.where(), builder.plan);
   builder.placed = maxOf(builder.placed, start + length);
   call.result(length);
 }
@@ -109,7 +109,9 @@ void obstacle(script::Call& call, Builder& builder) {
     }
   }
   if (call.failed()) return;
-  if (builder.plan.obstacles.size() >= rules::kMaxObstaclesPerRoom) return call.fail("too many obstacles");
+  const std::size_t made = builder.plan.obstacles.size() + builder.plan.segments.size();
+  if (made >= rules::kMaxObstaclesPerRoom) return call.fail("too many obstacles");
+  if (def.type == kStone) return placeBox(stoneLook(def), false, builder.plan);
   builder.plan.obstacles.push_back(def);
 }
 
@@ -120,22 +122,14 @@ void box(script::Call& call, Builder& builder) {
   if (!(half.minCoeff() > 0.001f && half.maxCoeff() < 5000.0f))
     return call.fail("box: half extents from 0.001 to 5000 expected");
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many boxes");
-  PlannedSegment made;
-  made.start = -(center.z() + half.z());
-  auto look = std::make_shared<SegmentLook>();
-  look->name = "mgBox";
-  look->length = 2.0f * half.z();
   LookBox seen;
-  seen.center = Vec3(center.x(), center.y(), -half.z());
+  seen.center = center;
   seen.halfExtents = half;
   for (int i = 0; i < 3; ++i) {
     seen.color[i] = builder.boxColor;
     seen.tile[i] = builder.boxTile;
   }
-  made.solids.push_back({seen.center, half});
-  look->boxes.push_back(seen);
-  made.look = look;
-  builder.plan.segments.push_back(std::move(made));
+  placeBox(seen, true, builder.plan);
 }
 
 void fogColor(script::Call& call, Builder& builder) {
@@ -303,7 +297,8 @@ void addLayoutCalls(script::Library& library) {
     if (!call.failed()) builder.boxTile = clampTo(tile, 0, 63);
   });
   add(library, "mgPowerUp", [](script::Call& call, Builder& builder) {
-    builder.session.report(call.where() + ": power-ups are not supported");
+    const std::string type = call.string(1);
+    if (!call.failed()) builder.session.reportMissing("power-up " + type, call.where(), "there is none");
   });
 }
 

@@ -21,25 +21,20 @@ LookBox lookOf(const content::Box& box) {
   return look;
 }
 
-float numberOf(const content::Obstacle& obstacle, const char* key, float otherwise) {
-  const std::string* text = obstacle.find(key);
-  const auto number = text != nullptr ? content::parseNumber(*text) : std::nullopt;
-  return number && *number > 0.001 && *number < 1000.0 ? static_cast<float>(*number) : otherwise;
+ObstacleDef defOf(const content::Obstacle& obstacle, const content::Segment& segment) {
+  ObstacleDef def;
+  def.type = obstacle.type;
+  def.position = obstacle.position;
+  def.rotation = obstacle.rotation;
+  for (const content::Param& param : obstacle.params) def.parameters[param.key] = param.value;
+  def.where = segment.file + ":" + std::to_string(obstacle.line);
+  return def;
 }
 
-/// The community's "stone": a box that is seen and does not collide. Three of four obstacles are stones, so they cost no script.
-LookBox stoneOf(const content::Obstacle& obstacle) {
-  LookBox look;
-  look.center = obstacle.position;
-  look.halfExtents = Vec3(numberOf(obstacle, "sizeX", 0.5f), numberOf(obstacle, "sizeY", 0.5f), numberOf(obstacle, "sizeZ", 0.5f));
-  const std::string* color = obstacle.find("color");
-  const auto values = color != nullptr ? content::parseNumbers(*color) : std::nullopt;
-  const bool colored = values && values->size() >= 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (colored) look.color[i] = Vec3(static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>((*values)[2]));
-    look.tile[i] = static_cast<std::int32_t>(numberOf(obstacle, "tile", 0.0f));
-  }
-  return look;
+float numberOf(const ObstacleDef& obstacle, const char* key, float otherwise) {
+  const auto text = obstacle.parameters.find(key);
+  const auto number = text != obstacle.parameters.end() ? content::parseNumber(text->second) : std::nullopt;
+  return number && *number > 0.001 && *number < 1000.0 ? static_cast<float>(*number) : otherwise;
 }
 
 std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const content::Segment& segment) {
@@ -51,7 +46,7 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
   for (const content::Box& box : segment.boxes)
     if (box.visible && !box.hidden) look->boxes.push_back(lookOf(box));
   for (const content::Obstacle& obstacle : segment.obstacles)
-    if (obstacle.type == "stone" && !obstacle.hidden) look->boxes.push_back(stoneOf(obstacle));
+    if (obstacle.type == kStone && !obstacle.hidden) look->boxes.push_back(stoneLook(defOf(obstacle, segment)));
   for (const content::Decal& decal : segment.decals) {
     if (decal.hidden) continue;
     LookDecal made;
@@ -68,27 +63,64 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
 
 std::uint32_t modeBit(Mode mode) {
   switch (mode) {
-    case Mode::Training: return content::kTraining;
+    case Mode::Training:
+      return content::kTraining;
     case Mode::Classic:
-    case Mode::Zen: return content::kClassicAndZen;
-    case Mode::Mayhem: return content::kMayhem;
-    case Mode::Versus: return content::kVersus;
-    case Mode::Coop: return content::kCoop;
+    case Mode::Zen:
+      return content::kClassicAndZen;
+    case Mode::Mayhem:
+      return content::kMayhem;
+    case Mode::Versus:
+      return content::kVersus;
+    case Mode::Coop:
+      return content::kCoop;
   }
   return content::kAllModes;
 }
 
 bool isWanted(const Session& session, const content::Obstacle& obstacle, float difficulty) {
-  if (obstacle.hidden || obstacle.type == "stone" || (obstacle.modes & modeBit(session.def.mode)) == 0) return false;
+  if (obstacle.hidden || obstacle.type == kStone || (obstacle.modes & modeBit(session.def.mode)) == 0) return false;
   return obstacle.difficultyMin <= difficulty && difficulty <= obstacle.difficultyMax;
 }
 
 }  // namespace
 
-float placeSegment(Session& session, const std::string& name, float start, RoomPlan& plan) {
-  const std::shared_ptr<const content::Segment> segment = session.files.segment(name);
+LookBox stoneLook(const ObstacleDef& stone) {
+  LookBox look;
+  look.center = stone.position;
+  look.halfExtents =
+      Vec3(numberOf(stone, "sizeX", 0.5f), numberOf(stone, "sizeY", 0.5f), numberOf(stone, "sizeZ", 0.5f));
+  const auto color = stone.parameters.find("color");
+  const auto values = color != stone.parameters.end() ? content::parseNumbers(color->second) : std::nullopt;
+  const bool colored = values && values->size() >= 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (colored)
+      look.color[i] =
+          Vec3(static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>((*values)[2]));
+    look.tile[i] = static_cast<std::int32_t>(numberOf(stone, "tile", 0.0f));
+  }
+  return look;
+}
+
+void placeBox(const LookBox& box, bool isSolid, RoomPlan& plan) {
+  PlannedSegment made;
+  made.start = -(box.center.z() + box.halfExtents.z());
+  auto look = std::make_shared<SegmentLook>();
+  look->name = "box";
+  look->length = 2.0f * box.halfExtents.z();
+  look->boxes.push_back(box);
+  look->boxes.back().center.z() = -box.halfExtents.z();
+  if (isSolid) made.solids.push_back({look->boxes.back().center, box.halfExtents});
+  made.look = look;
+  plan.segments.push_back(std::move(made));
+}
+
+float placeSegment(Session& session, const std::string& name, float start, const std::string& where, RoomPlan& plan) {
+  const auto found = session.files.segment(name);
   session.takeFileProblems();
-  if (!segment) return 0.0f;
+  if (!found) session.reportMissing("segment " + name, where, found.error().message);
+  if (!found) return 0.0f;
+  const std::shared_ptr<const content::Segment> segment = *found;
   PlannedSegment placed;
   placed.start = start;
   placed.look = makeLook(name, *segment);
@@ -98,15 +130,13 @@ float placeSegment(Session& session, const std::string& name, float start, RoomP
   for (const content::Obstacle& obstacle : segment->obstacles) {
     if (!isWanted(session, obstacle, plan.settings.difficulty)) continue;
     if (plan.obstacles.size() >= rules::kMaxObstaclesPerRoom) break;
-    ObstacleDef def;
-    def.type = obstacle.type;
-    def.position = obstacle.position - Vec3(0.0f, 0.0f, start);
-    def.rotation = obstacle.rotation;
-    for (const content::Param& param : obstacle.params) def.parameters[param.key] = param.value;
-    def.where = segment->file + ":" + std::to_string(obstacle.line);
+    ObstacleDef def = defOf(obstacle, *segment);
+    def.position.z() -= start;
     plan.obstacles.push_back(std::move(def));
   }
-  if (!segment->powerUps.empty()) session.report(segment->file + ": power-ups are not supported");
+  for (const content::PowerUp& powerUp : segment->powerUps)
+    session.reportMissing("power-up " + powerUp.type, segment->file + ":" + std::to_string(powerUp.line),
+                          "there is none");
   if (!segment->waters.empty()) session.report(segment->file + ": water is not supported");
   return segment->size.z();
 }

@@ -35,7 +35,7 @@ struct Session {
   std::uint64_t tick = 0;
   std::vector<Event> events;      // of this tick
   std::vector<Problem> problems;  // each text once
-  std::set<std::string> reported;
+  std::set<std::string> reported, missing;
   effects::EffectSet effects;
   std::vector<std::string> soundNames;
   std::map<std::string, std::string> globals;  // of mgGet and mgSet
@@ -44,6 +44,10 @@ struct Session {
   void report(const std::string& text) {
     if (reported.size() >= rules::kMaxProblems || !reported.insert(text).second) return;
     problems.push_back({text, tick});
+  }
+  /// Says of each thing once that it cannot be had, where it was asked for first.
+  void reportMissing(const std::string& thing, const std::string& where, const std::string& why) {
+    if (missing.insert(thing + ": " + why).second) report(where + ": " + thing + ": " + why);
   }
   void takeFileProblems() {
     for (const std::string& text : files.takeProblems()) report(text);

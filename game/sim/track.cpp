@@ -1,5 +1,7 @@
 #include "game/sim/track.h"
 
+#include <algorithm>
+
 namespace brittle::sim {
 
 Track::Track(Session& session, std::vector<RoomEntry> entries, std::uint32_t firstRoom, std::int64_t startOffset)
@@ -107,6 +109,17 @@ float Track::displayedDistance() const {
   float distance = session_.def.distance;
   for (std::uint64_t i = 0; i < roomIndex() && i < entries_.size(); ++i) distance += entries_[i].displayLength;
   return distance + current_->entry().displayLength * minOf(1.0f, pace_.distance() / pace_.roomLength());
+}
+
+void Track::look(std::vector<Sight>& sights) const {
+  sights.clear();
+  current_->look(sights);
+  const std::size_t ofNext = sights.size();
+  if (next_) next_->look(sights);
+  for (std::size_t i = ofNext; i < sights.size(); ++i)
+    sights[i].clear = sights[i].clear && current_->isInSight(sights[i].position, 0);
+  std::stable_sort(sights.begin(), sights.end(),
+                   [](const Sight& a, const Sight& b) { return a.position.z() < b.position.z(); });
 }
 
 std::uint64_t Track::roomHash() const {

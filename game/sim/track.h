@@ -33,6 +33,9 @@ class Track {
   std::uint32_t roomIndex() const { return firstRoom_ + static_cast<std::uint32_t>(number_); }
   std::uint32_t roomCount() const { return static_cast<std::uint32_t>(entries_.size()); }
 
+  /// What can be seen ahead in both rooms, nearest first.
+  void look(std::vector<Sight>& sights) const;
+
   std::uint64_t stateHash() const;
   std::uint64_t roomHash() const;
   void save(ByteWriter& out) const;

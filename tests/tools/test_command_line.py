@@ -133,6 +133,18 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("150 ticks", result.stdout)
 
+    def test_a_part_of_a_recorded_game_verifies(self):
+        result = brittle("verify", self.replay, "--ticks", "40")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("40 ticks", result.stdout)
+        self.refused("verify", self.replay, "--ticks", "0", says="--ticks")
+
+    def test_a_script_played_with_several_seeds_says_how_its_games_ended(self):
+        result = brittle("smoke", self.folder / "game.lua", "--seeds", "3")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("3 seeds, balls left: median 24, min 24, max 24; 0 at the checkpoint", result.stdout)
+        self.refused("smoke", self.folder / "game.lua", "--set", "skill", says="expected NAME=TEXT")
+
     def test_progress_is_a_bar_on_a_terminal_and_lines_elsewhere(self):
         plain = brittle("verify", self.replay).stderr
         self.assertIn(": 100 %\n", plain)

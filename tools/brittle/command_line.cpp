@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/replay/replay.h"
 #include "tools/brittle/options.h"
 
 namespace brittle::program {
@@ -77,8 +78,12 @@ void addVerify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "verify", "replay recorded games and compare every tick's state, then again from each snapshot");
   command->add_option("REPLAY", options->replays, "recorded games (.brt)")->required();
+  command->add_option("--ticks", options->ticks, "only the first N ticks (default: all)")
+      ->type_name("N")
+      ->check(CLI::Range(1u, replay::kMaxTicks));
   addAssets(*command, options->assets);
-  command->footer("Examples:\n  brittle verify game.brt\n  brittle verify replays/*.brt");
+  command->footer(
+      "Examples:\n  brittle verify game.brt\n  brittle verify replays/*.brt\n  brittle verify game.brt --ticks 600");
   command->callback([options, &action] { action = [options] { return verify(*options); }; });
 }
 
@@ -87,11 +92,17 @@ void addSmoke(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("smoke", "play scripted games and check what they expect");
   command->add_option("SCRIPT", options->scripts, "Lua scripts")->required();
   command->add_option("--record", options->record, "write the game of a single script as a replay")->type_name("FILE");
+  command->add_option("--seeds", options->seeds, "play each script with the seeds 1 to N, and say how its games ended")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 10000u));
+  command->add_option("--set", options->settings, "what setting(\"NAME\", ...) answers in the script")
+      ->type_name("NAME=TEXT");
   addAssets(*command, options->assets);
   command->footer(
       "A script throws at ticks and says what must come of it:\n"
       "  level(\"first\") seed(7)\n  throw{tick=120, x=0.0, y=0.1}\n  run(300)\n  expect_broken(1)\n\n"
-      "Examples:\n  brittle smoke tests/smoke/*.lua\n  brittle smoke tour.lua --record tour.brt");
+      "Examples:\n  brittle smoke tests/smoke/*.lua\n  brittle smoke tour.lua --record tour.brt\n"
+      "  brittle smoke assets/player.lua --set skill=average --seeds 20");
   command->callback([options, &action] { action = [options] { return smoke(*options); }; });
 }
 

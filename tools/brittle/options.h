@@ -53,12 +53,15 @@ struct RenderOptions {
 
 struct VerifyOptions {
   std::vector<std::string> replays;
+  std::uint32_t ticks = 0;  // only so many from the start; 0: all
   std::string assets;
 };
 
 struct SmokeOptions {
   std::vector<std::string> scripts;
-  std::string record;  // of a single script
+  std::string record;                 // of a single script
+  std::uint32_t seeds = 0;            // play each script with seeds 1 to this; 0: with its own
+  std::vector<std::string> settings;  // NAME=TEXT
   std::string assets;
 };
 

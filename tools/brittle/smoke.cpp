@@ -1,5 +1,6 @@
 #include "game/sim/smoke.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -34,18 +35,55 @@ Status record(const content::AssetSource& assets, const sim::SmokeResult& result
   return replay::save(recorder.replay(), path);
 }
 
-int playOne(const content::AssetSource& assets, const std::string& path, const std::string& recordTo) {
-  const Result<std::string> source = readText(path);
-  if (!source) return refuse(source.error());
-  const sim::SmokeResult result = sim::runSmoke(assets, path, *source);
+void print(const std::string& path, const sim::SmokeResult& result) {
   for (const std::string& problem : result.problems) std::printf("  content: %s\n", problem.c_str());
   for (const sim::SmokeFailure& failure : result.failures)
     std::printf("  FAILED at tick %llu: %s\n", static_cast<unsigned long long>(failure.tick), failure.text.c_str());
   std::printf("%s: %u checks, %zu failed, %llu ticks, state %016llx\n", path.c_str(), result.checks,
               result.failures.size(), static_cast<unsigned long long>(result.ticks),
               static_cast<unsigned long long>(result.stateHash));
-  if (!recordTo.empty() && !result.inputs.empty()) {
-    const Status written = record(assets, result, recordTo);
+}
+
+/// How many balls were left in each of several games: median, fewest, most.
+void printBalls(const std::string& path, std::vector<int> balls, int checkpoints) {
+  std::sort(balls.begin(), balls.end());
+  std::printf("%s: %zu seeds, balls left: median %d, min %d, max %d; %d at the checkpoint\n", path.c_str(),
+              balls.size(), balls[balls.size() / 2], balls.front(), balls.back(), checkpoints);
+}
+
+int playSeeds(const content::AssetSource& assets, const std::string& path, const std::string& source,
+              sim::SmokeSettings settings, std::uint32_t seeds) {
+  std::vector<int> balls;
+  int checkpoints = 0;
+  int worst = kDone;
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    settings.seed = seed;
+    const sim::SmokeResult result = sim::runSmoke(assets, path, source, settings);
+    print(path, result);
+    std::printf("  seed %u: %s in room %d at %d m with %d balls\n", seed, nameOf(result.hud.phase), result.hud.room,
+                static_cast<int>(result.hud.distance), result.hud.balls);
+    balls.push_back(result.hud.balls);
+    if (result.hud.phase == sim::Phase::Checkpoint) ++checkpoints;
+    if (!result.passed()) worst = kFailed;
+  }
+  printBalls(path, balls, checkpoints);
+  return worst;
+}
+
+int playOne(const content::AssetSource& assets, const std::string& path, const SmokeOptions& options) {
+  const Result<std::string> source = readText(path);
+  if (!source) return refuse(source.error());
+  sim::SmokeSettings settings;
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) return refuse({"--set " + setting + ": expected NAME=TEXT"});
+    settings.values[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  if (options.seeds > 0) return playSeeds(assets, path, *source, settings, options.seeds);
+  const sim::SmokeResult result = sim::runSmoke(assets, path, *source, settings);
+  print(path, result);
+  if (!options.record.empty() && !result.inputs.empty()) {
+    const Status written = record(assets, result, options.record);
     if (!written) return refuse(written.error());
   }
   return result.passed() ? kDone : kFailed;
@@ -54,12 +92,12 @@ int playOne(const content::AssetSource& assets, const std::string& path, const s
 }  // namespace
 
 int smoke(const SmokeOptions& options) {
-  if (!options.record.empty() && options.scripts.size() != 1)
-    return refuse({"--record: one script at a time, expected SCRIPT --record FILE"});
+  if (!options.record.empty() && (options.scripts.size() != 1 || options.seeds > 0))
+    return refuse({"--record: one game at a time, expected SCRIPT --record FILE"});
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
   int worst = kDone;
-  for (const std::string& script : options.scripts) worst = std::max(worst, playOne(**assets, script, options.record));
+  for (const std::string& script : options.scripts) worst = std::max(worst, playOne(**assets, script, options));
   return worst;
 }
 

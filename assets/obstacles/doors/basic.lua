@@ -15,11 +15,12 @@ function init()
 	right = mgCreateBody(w / 2, 0, 0)
 	mgCreateBox(right, w / 2, h, 0.06)
 
+	-- In front of the wall that the door stands in, up to 0.6 thick.
 	if count == 1 then
-		first = mgCreateButton(0, h + 0.35, 0.1)
+		first = mgCreateButton(0, h + 0.35, 0.36)
 	elseif count >= 2 then
-		first = mgCreateButton(-w - 0.4, 0, 0.1)
-		second = mgCreateButton(w + 0.4, 0, 0.1)
+		first = mgCreateButton(-w - 0.4, 0, 0.36)
+		second = mgCreateButton(w + 0.4, 0, 0.36)
 	end
 end
 

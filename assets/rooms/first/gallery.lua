@@ -1,4 +1,4 @@
--- A short room whose order is drawn anew for every seed.
+-- The second room: warm stone and rose glass. The order of its middle is drawn anew for every seed, each kind at most twice.
 
 function init()
 	mgMusic("gallery")
@@ -6,10 +6,18 @@ function init()
 	mgReverb(0.5, 1.0, 0.2)
 	mgParticles("dustyfalling")
 
-	confSegment("first/gallery/arches", 1)
-	confSegment("first/gallery/swings", 1)
-	confSegment("first/gallery/shelves", 0.7)
-	confSegment("first/gallery/doublewindow", 1)
-
-	mgLength(fillRoom(128, "first/gallery/door", 16))
+	local l = 0
+	l = l + mgSegment("first/gallery/start", -l)
+	l = l + mgSegment("first/gallery/arches", -l)
+	confSegment("first/gallery/swings", 1, 2)
+	confSegment("first/gallery/shelves", 0.8, 1)
+	confSegment("first/gallery/doublewindow", 1, 1)
+	confSegment("first/gallery/gates", 1, 2)
+	confSegment("first/gallery/blocks", 1, 2)
+	confSegment("first/gallery/fan", 1, 2)
+	for i = 1, 9 do
+		l = l + mgSegment(nextSegment(), -l)
+	end
+	l = l + mgSegment("first/gallery/door", -l)
+	mgLength(l)
 end

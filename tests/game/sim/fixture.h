@@ -1,4 +1,5 @@
-// tests/game/sim/fixture.h - games to test with: the shipped assets, or one room held in memory around the shipped obstacles.
+// tests/game/sim/fixture.h - games to test with: the shipped assets, or one room held in memory around the shipped
+// obstacles.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,17 +19,21 @@ inline const content::FolderSource& shippedAssets() {
   return source;
 }
 
-/// Level "test" with one corridor of 32 m of the length `length` (which sets the pace), holding `elements` (segment XML), and the shipped
-/// obstacle scripts. `room` replaces the room script's body.
+/// Level "test" with one corridor of 32 m of the length `length` (which sets the pace), holding `elements` (segment
+/// XML), and the shipped obstacle scripts. `room` replaces the room script's body.
 inline content::MemorySource oneRoom(const std::string& elements, float length = 160.0f, const std::string& room = "") {
   content::MemorySource source;
   source.add("levels/test.xml", "<level><room type=\"test/room\" length=\"100\"/></level>");
-  const std::string body = room.empty() ? "mgSegment(\"test/corridor\", 0) mgLength(" + std::to_string(length) + ")" : room;
+  const std::string body =
+      room.empty() ? "mgSegment(\"test/corridor\", 0) mgLength(" + std::to_string(length) + ")" : room;
   source.add("rooms/test/room.lua", "function init() " + body + " end");
   source.add("segments/test/corridor.xml",
-             "<segment size=\"12 10 32\"><box pos=\"0 -1.2 -16\" size=\"4 .2 16\"/><box pos=\"-4.2 1.5 -16\" size=\".2 2.5 16\"/>"
-             "<box pos=\"4.2 1.5 -16\" size=\".2 2.5 16\"/><box pos=\"0 4.2 -16\" size=\"4 .2 16\"/>" + elements + "</segment>");
-  for (const char* name : {"framedwindow", "suspendwindow", "box", "bar", "scoretop", "doors/basic"}) {
+             "<segment size=\"12 10 32\"><box pos=\"0 -1.2 -16\" size=\"4 .2 16\"/><box pos=\"-4.2 1.5 -16\" size=\".2 "
+             "2.5 16\"/>"
+             "<box pos=\"4.2 1.5 -16\" size=\".2 2.5 16\"/><box pos=\"0 4.2 -16\" size=\"4 .2 16\"/>" +
+                 elements + "</segment>");
+  for (const char* name : {"framedwindow", "suspendwindow", "box", "bar", "scoretop", "scorediamond", "scorestar",
+                           "doors/basic", "rotor", "sweeper", "suspendcube"}) {
     const std::string file = std::string("obstacles/") + name + ".lua";
     const Result<std::string> text = shippedAssets().read(file);
     source.add(file, text ? *text : "");

@@ -1,0 +1,92 @@
+// What a smoke script has made so far: its game, the throws it has announced, what did not hold. Shared by the files
+// that define the script's functions; see smoke.h.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/script/library.h"
+#include "game/sim/smoke.h"
+
+namespace brittle::sim {
+
+inline constexpr std::uint64_t kLongestRun = 200'000;  // [ticks]: nearly an hour of play
+
+class Smoke {
+ public:
+  Smoke(const content::AssetSource& assets, const std::string& name, const SmokeSettings& smokeSettings)
+      : settings(smokeSettings), assets_(assets), name_(name) {
+    result.def.accuracy = settings.accuracy;
+    if (settings.seed) result.def.seed = *settings.seed;
+  }
+
+  bool started() const { return game_ != nullptr; }
+  /// The game, made at the first call that needs it; null, with the call failed, if that does not work.
+  Game* game(script::Call& call) {
+    if (game_) return game_.get();
+    Result<std::unique_ptr<Game>> made = Game::create(assets_, result.def);
+    if (!made) {
+      call.fail(made.error().message);
+      return nullptr;
+    }
+    game_ = std::move(*made);
+    return game_.get();
+  }
+  void throwAt(std::uint64_t tick, const replay::Throw& aim) {
+    if (throws_.size() <= tick) throws_.resize(tick + 1);
+    throws_[tick].push_back(aim);
+  }
+  void run(Game& game, std::uint64_t until) {
+    while (game.tickCount() < until) {
+      replay::InputFrame frame;
+      if (game.tickCount() < throws_.size()) frame.throws = throws_[game.tickCount()];
+      result.inputs.push_back(frame);
+      game.tick(frame);
+    }
+  }
+  bool saveAndRestore(Game& game) {
+    ByteWriter out;
+    game.save(out);
+    const std::uint64_t before = game.stateHash();
+    Result<std::unique_ptr<Game>> fresh = Game::create(assets_, result.def);
+    ByteReader in(out.bytes());
+    if (!fresh || !(*fresh)->restore(in) || (*fresh)->stateHash() != before) return false;
+    game_ = std::move(*fresh);
+    return true;
+  }
+  void check(script::Call& call, const char* what, bool holds, const std::string& found, const std::string& expected) {
+    ++result.checks;
+    if (holds) return;
+    const std::string place = call.file() == name_ ? call.where() : name_;
+    result.failures.push_back({game_->tickCount(), place + ": " + what + ": " + found + ", expected " + expected});
+  }
+  void finish() {
+    if (!game_) return;
+    result.ticks = game_->tickCount();
+    result.stateHash = game_->stateHash();
+    result.hud = game_->hud();
+    for (const Problem& problem : game_->problems()) result.problems.push_back(problem.text);
+  }
+
+  SmokeResult result;
+  const SmokeSettings settings;
+  std::vector<Sight> sights;  // of the last look()
+
+ private:
+  const content::AssetSource& assets_;
+  std::string name_;
+  std::unique_ptr<Game> game_;
+  std::vector<std::vector<replay::Throw>> throws_;
+};
+
+std::string smokeText(double value);
+
+inline void addSmokeCall(script::Library& library, const char* name, void (*native)(script::Call&, Smoke&)) {
+  library.add(name, [native](script::Call& call) { native(call, call.user<Smoke>()); });
+}
+
+/// What a scripted player knows and does: time, counts, what is in sight.
+void addPlayerCalls(script::Library& library);
+
+}  // namespace brittle::sim
