@@ -45,6 +45,8 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
       return tinkle(0.1f, random);
     case Sound::OnStone:
       return knock(Struck::Stone, random);
+    case Sound::OnWall:
+      return knock(Struck::Wall, random);
     case Sound::OnMetal:
       return knock(Struck::Metal, random);
     case Sound::OnWood:
@@ -73,9 +75,9 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
 
 const char* nameOf(Sound sound) {
   constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain", "tinkle_small",
-                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_metal",   "on_wood",
-                                    "on_glass",      "on_steel",     "note",        "missed",     "door",
-                                    "crash",         "throw"};
+                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",    "on_metal",
+                                    "on_wood",       "on_glass",     "on_steel",    "note",       "missed",
+                                    "door",          "crash",        "throw"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }

@@ -19,6 +19,7 @@ enum class Sound : std::uint8_t {
   TinkleMedium,
   TinkleLarge,
   OnStone,  // something heavy meets something that holds
+  OnWall,
   OnMetal,
   OnWood,
   OnGlass,

@@ -37,6 +37,19 @@ Samples onStone(Random& random) {
   return samples;
 }
 
+/// A slab that stands free gives more than the ground: higher, hollower, and it shakes a little longer.
+Samples onWall(Random& random) {
+  Samples samples(samplesIn(0.5f), 0.0f);
+  const Ring ring{3500.0f, 0.025f, 0.2f, 0.15f};
+  addThud(samples, 175.0f, 0.17f, 0.4f, random);
+  const float lowest = random.nextFloat(430.0f, 520.0f);
+  addStrike(samples, barModes(lowest, ring, random), {0, 0.8f, 1.5e-4f});
+  addNoise(samples, {0, 0.03f, 0.0003f, 0.016f, 3600.0f, 2200.0f, 1.4f, 1.2f}, random);
+  addNoise(samples, {0, 0.12f, 0.001f, 0.08f, 1300.0f, 800.0f, 1.2f, 0.4f}, random);
+  addBallRing(samples, 0.12f, random);
+  return samples;
+}
+
 Samples onMetal(Random& random) {
   Samples samples(samplesIn(1.4f), 0.0f);
   const Ring ring{5200.0f, 0.002f, 1.0f, 0.12f};
@@ -83,6 +96,8 @@ Samples onSteel(Random& random) {
 
 Samples knock(Struck struck, Random& random) {
   switch (struck) {
+    case Struck::Wall:
+      return onWall(random);
     case Struck::Metal:
       return onMetal(random);
     case Struck::Wood:

@@ -9,7 +9,7 @@
 namespace brittle::audio {
 
 /// What is hit.
-enum class Struck { Stone, Metal, Wood, Glass, Steel };
+enum class Struck { Stone, Wall, Metal, Wood, Glass, Steel };
 
 /// A thing of glass of this size (cube root of its volume) breaks: the crack, then shards that ring and knock against
 /// each other. [m]

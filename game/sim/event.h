@@ -34,7 +34,7 @@ struct Event {
   Look look = Look::Glass;        // of what broke or was hit
   Look striker = Look::Static;    // Hit: of what hit it; a ball if there is one, else the smaller of the two
   Vec3 point = Vec3::Zero();      // [m]
-  Vec3 direction = Vec3::Zero();  // the way the striker went, unit (Throw: velocity [m/s])
+  Vec3 direction = Vec3::Zero();  // the way the striker went, unit (Hit: normal of the contact; Throw: velocity [m/s])
   float speed = 0.0f;             // approach speed [m/s]
   float size = 0.0f;              // of what broke, Hit: of the striker; cube root of its volume [m]
   float impulse = 0.0f;           // [N s]

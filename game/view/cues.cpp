@@ -54,7 +54,8 @@ Sound breakOf(const Event& event) {
   return event.size < 0.5f ? Sound::GlassMedium : Sound::GlassLarge;
 }
 
-Sound knockOn(Look look) {
+/// `normal`: of the surface, either way.
+Sound knockOn(Look look, const Vec3& normal) {
   switch (look) {
     case Look::Metal:
     case Look::Door:
@@ -70,17 +71,18 @@ Sound knockOn(Look look) {
     case Look::Stone:
       break;
   }
-  return Sound::OnStone;
+  const bool isFlat = normal.y() * normal.y() > 0.5f;
+  return isFlat ? Sound::OnStone : Sound::OnWall;
 }
 
 Cue hitCue(const Event& event, const sim::Camera& camera) {
   const auto cue = [&](Sound sound, float gain) { return cueAt(event, camera, sound, gain); };
   const bool onGlass = event.look == Look::Glass || event.look == Look::Crystal;
   if (event.striker == Look::Ball)
-    return cue(knockOn(event.look), (onGlass ? 0.4f : 0.8f) * bySpeed(event.speed, 16.0f));
+    return cue(knockOn(event.look, event.direction), (onGlass ? 0.4f : 0.8f) * bySpeed(event.speed, 16.0f));
   const float weight = clampTo(event.size / 0.25f, 0.1f, 1.0f);
   const bool isGlass = event.striker == Look::Glass || event.striker == Look::Crystal;
-  if (!isGlass) return cue(knockOn(event.striker), 0.6f * weight * bySpeed(event.speed, 8.0f));
+  if (!isGlass) return cue(knockOn(event.striker, event.direction), 0.6f * weight * bySpeed(event.speed, 8.0f));
   if (event.size > kShardSize) return cue(Sound::OnGlass, 0.3f * weight * bySpeed(event.speed, 8.0f));
   const Sound tinkle = event.size < 0.07f   ? Sound::TinkleSmall
                        : event.size < 0.12f ? Sound::TinkleMedium

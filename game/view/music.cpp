@@ -17,9 +17,9 @@ constexpr std::uint16_t kRhythms[] = {0b1001001010010010, 0b1000100100101000, 0b
 /// The order in which it takes the chord's notes.
 constexpr std::int32_t kOrders[][8] = {{0, 1, 2, 3, 2, 1, 3, 2}, {0, 2, 1, 3, 0, 3, 2, 1}, {3, 2, 1, 0, 2, 1, 3, 0}};
 /// How much of it there is, chord by chord: the room fills, and empties before the door.
-constexpr float kPresence[kChords] = {0.0f, 0.45f, 0.6f, 0.75f, 1.0f, 1.0f, 0.8f, 0.35f};
+constexpr float kPresence[kChords] = {0.0f, 0.6f, 0.8f, 0.9f, 1.0f, 1.0f, 0.9f, 0.4f};
 
-constexpr float kPadGain = 0.028f, kBassGain = 0.07f, kMalletGain = 0.035f;
+constexpr float kPadGain = 0.028f, kBassGain = 0.07f, kMalletGain = 0.05f;
 
 /// The MIDI number of a degree of C major, 0 for C3; 7 degrees are an octave.
 float noteOfDegree(std::int32_t degree) {

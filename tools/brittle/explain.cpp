@@ -7,6 +7,7 @@
 
 #include "engine/core/profile.h"
 #include "game/sim/constants.h"
+#include "game/view/sound.h"
 #include "tools/brittle/game.h"
 
 namespace brittle::program {
@@ -37,6 +38,8 @@ struct RoomCost {
   std::map<std::string, double> zones;                        // [ms], all ticks together
   double milliseconds = 0.0, worst = 0.0;
   std::size_t bytes = 0;  // largest snapshot
+  double soundMilliseconds = 0.0;
+  std::size_t soundBytes = 0;  // of the rooms' reverb and echo, at most
   int ticks = 0;
 };
 
@@ -47,8 +50,29 @@ void collectDemands(const effects::EffectSet& effects, RoomCost& cost) {
     for (const auto& [name, count] : who) cost.demands[effect][name] = std::max(cost.demands[effect][name], count);
 }
 
+/// Mixes the game's sound as it would be heard.
+class Listener {
+ public:
+  explicit Listener(const audio::Bank& bank)
+      : mixer_(bank), sound_(mixer_), stereo_(2 * audio::kSampleRate / sim::rules::kTickRate) {}
+  void listen(const sim::Game& game, RoomCost& cost) {
+    const Clock::time_point start = Clock::now();
+    game.copyFrame(packet_);
+    sound_.tick(packet_);
+    mixer_.render(stereo_);
+    cost.soundMilliseconds += millisecondsSince(start);
+    cost.soundBytes = std::max(cost.soundBytes, mixer_.spaceBytes());
+  }
+
+ private:
+  audio::Mixer mixer_;
+  view::Sound sound_;
+  sim::FramePacket packet_;
+  std::vector<float> stereo_;
+};
+
 /// Plays a room from end to end with a throw straight ahead every second.
-RoomCost playRoom(sim::Game& game) {
+RoomCost playRoom(sim::Game& game, Listener& listener) {
   RoomCost cost;
   ZoneTimes times;
   ZoneListener* const previous = setZoneListener(&times);
@@ -61,6 +85,7 @@ RoomCost playRoom(sim::Game& game) {
     const double spent = millisecondsSince(start);
     cost.milliseconds += spent;
     cost.worst = std::max(cost.worst, spent);
+    listener.listen(game, cost);
     if (cost.ticks++ % sim::rules::kTickRate != 0) continue;
     collectDemands(game.effects(), cost);
     ByteWriter out;
@@ -87,6 +112,8 @@ void print(std::uint32_t room, const RoomCost& cost) {
       std::printf("  %-10s nobody demands it\n", name);
   for (const auto& [zone, milliseconds] : cost.zones)
     std::printf("    %-20s %.4f ms a tick\n", zone.c_str(), milliseconds / ticks);
+  std::printf("    %-20s %.4f ms a tick; the room's reverb and echo hold %zu kB\n", "sound",
+              cost.soundMilliseconds / ticks, cost.soundBytes / 1024);
 }
 
 }  // namespace
@@ -97,11 +124,13 @@ int explain(const ExplainOptions& options) {
   Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
   const std::uint32_t first = def->firstRoom;
+  const audio::Bank bank;
   for (; def->firstRoom < first + options.rooms; ++def->firstRoom) {
     const auto simulation = openGame(**assets, *def);
     if (!simulation && def->firstRoom > first) break;  // the level has no more rooms
     if (!simulation) return refuse(simulation.error());
-    print(def->firstRoom, playRoom((*simulation)->game()));
+    Listener listener(bank);
+    print(def->firstRoom, playRoom((*simulation)->game(), listener));
   }
   return kDone;
 }

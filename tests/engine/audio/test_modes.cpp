@@ -54,6 +54,12 @@ TEST(Modes, ASoftStrikeExcitesTheLowModes) {
   EXPECT_LT(energyAt(soft, 8000.0), 0.01 * energyAt(soft, 500.0));
 }
 
+TEST(Modes, AStrikeIsAsStrongAsItIs) {
+  Samples samples(24000, 0.0f);
+  addStrike(samples, {{500.0f, 1.0f, 0.8f}}, {0, 0.5f, 1e-6f});
+  EXPECT_NEAR(peakOf(samples), 0.4, 0.01);
+}
+
 TEST(Modes, BouncesGetWeakerAndFollowCloser) {
   Samples samples(samplesIn(1.0f), 0.0f);
   addBounces(samples, {{3000.0f, 0.01f, 1.0f}}, {0, 1.0f, 2e-5f}, 0.2f, 0.5f, 3);

@@ -35,6 +35,7 @@ sim::Event hitOf(Look striker, Look look, float speed, float size = 0.05f) {
   event.look = look;
   event.speed = speed;
   event.size = size;
+  event.direction = Vec3::UnitY();
   return event;
 }
 
@@ -64,6 +65,16 @@ TEST(Cues, ABallSoundsLikeWhatItHits) {
     ASSERT_EQ(cues.size(), 1u);
     EXPECT_EQ(cues[0].sound, sound);
     EXPECT_FLOAT_EQ(cues[0].placement.loudness(), audio::placementOf(Vec3(0.0f, -1.0f, -5.0f)).loudness());
+  }
+}
+
+TEST(Cues, FloorsAndWallsDiffer) {
+  sim::Event hit = hitOf(Look::Ball, Look::Static, 10.0f);
+  for (const float sign : {-1.0f, 1.0f}) {
+    hit.direction = sign * Vec3::UnitY();
+    EXPECT_EQ(cuesFor({hit})[0].sound, Sound::OnStone);
+    hit.direction = sign * Vec3::UnitX();
+    EXPECT_EQ(cuesFor({hit})[0].sound, Sound::OnWall);
   }
 }
 
