@@ -17,7 +17,7 @@ constexpr const char* kNumbers = "numbers";
 constexpr const char* kNumbered = "numbered";
 constexpr const char* kBuiltins = "builtins";
 
-constexpr std::uint32_t kFormat = 0x53524231;  // "BRS1"
+constexpr std::uint32_t kFormat = 0x53524232;  // "BRS2"
 
 enum class Tag : std::uint8_t { Nil, False, True, Number, Text, Table, Numbered };
 
@@ -429,6 +429,7 @@ Status Sandbox::save(ByteWriter& out) const {
   written.write(kFormat);
   written.write(state.random.state());
   written.write(state.random.increment());
+  written.write(state.price);
   state.beginRun(0);
   state.unlimited = true;
   const int status = state.protect([&written](lua_State* lua) { Saver(lua, written).run(); lua_settop(lua, 0); });
@@ -443,12 +444,14 @@ Status Sandbox::restore(ByteReader& in) {
   if (in.read<std::uint32_t>() != kFormat) return Error{"this is no saved script state"};
   const auto position = in.read<std::uint64_t>();
   const auto increment = in.read<std::uint64_t>();
+  const auto price = in.read<std::uint32_t>();
   state.beginRun(0);
   state.unlimited = true;  // what is read is bounded by the bytes there are
   const int status = state.protect([&in](lua_State* lua) { Restorer(lua, in).run(); lua_settop(lua, 0); });
   state.unlimited = false;
   if (status != LUA_OK) return state.takeError(status);
   state.random.restore(position, increment);
+  state.price = std::max(price, 1u);
   return Done{};
 }
 

@@ -13,7 +13,11 @@ namespace {
 constexpr int kHookEvery = 100;          // instructions between two looks at the budget: 0.4 ns each, measured
 constexpr std::size_t kChurnFactor = 32;  // a run may ask for this many times the memory limit in all
 
-void countInstructions(lua_State* lua, lua_Debug*) { charge(lua, kHookEvery); }
+// What Lua keeps with a string: list, kind, hash, length; and a byte for its end.
+constexpr std::size_t kStringHeader = sizeof(void*) == 8 ? 25 : 17;
+constexpr std::size_t kLongestMessage = 300;  // an error is one line
+
+void countInstructions(lua_State* lua, lua_Debug*) { charge(lua, kHookEvery * std::int64_t{SandboxState::of(lua).price}); }
 
 int panic(lua_State* lua) {
   const char* message = lua_tostring(lua, -1);
@@ -34,6 +38,14 @@ int addPlace(lua_State* lua) {
   }
   lua_concat(lua, 2);
   return 1;
+}
+
+/// Scripts may raise texts of any length with any bytes.
+std::string asOneLine(std::string message) {
+  if (message.size() > kLongestMessage) message.resize(kLongestMessage);
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < 32) c = ' ';
+  return message;
 }
 
 /// Leaves what a library's opener returns on the stack, without a trace in the registry.
@@ -102,6 +114,8 @@ void* SandboxState::allocate(void* self, void* block, std::size_t before, std::s
   }
   if (wanted > before && !state.admits(before, wanted, isString ? state.limits.longestString : state.limits.largestBlockBytes))
     return nullptr;
+  if (isString && wanted > kStringHeader)
+    state.price = std::max(state.price, 1 + static_cast<std::uint32_t>((wanted - kStringHeader) / kPricedLength));
   void* moved = std::realloc(block, wanted);
   if (moved != nullptr) state.used += wanted - before;
   return moved;
@@ -163,8 +177,9 @@ std::string SandboxState::withFiles(const std::string& message) const {
 Error SandboxState::takeError(int status) {
   std::string message;
   if (status == LUA_ERRMEM) {
-    const std::string file = files.empty() ? "script" : files[static_cast<std::size_t>(refusedAt_.first)];
-    message = errorAt(file, refusedAt_.second, "the memory budget is used up: recursion without end, or data without end (" +
+    // Outside of any line it was the compiler that asked.
+    const std::size_t place = refusedAt_.second > 0 ? static_cast<std::size_t>(refusedAt_.first) : files.size() - 1;
+    message = errorAt(files.empty() ? "script" : files[place], refusedAt_.second, "the memory budget is used up: recursion without end, or data without end (" +
                       std::to_string(limits.memoryBytes) + " bytes in all, " + std::to_string(limits.largestBlockBytes) +
                       " in one table, " + std::to_string(limits.longestString) + " in one string)").message;
   } else if (lua_type(lua, -1) == LUA_TSTRING) {
@@ -182,7 +197,7 @@ Error SandboxState::takeError(int status) {
   const std::size_t end = message.find(tail);
   if (at != std::string::npos && end != std::string::npos && end > at)
     message = message.substr(0, at) + "unknown function " + message.substr(at + wrong.size(), end - at - wrong.size());
-  return {message};
+  return {asOneLine(std::move(message))};
 }
 
 bool SandboxState::runNative(const Library::Entry& entry) {

@@ -63,6 +63,29 @@ TEST(Sandbox, ALoopForEverEnds) {
   EXPECT_THAT(errorOf("x = 1\n::again::\ngoto again"), HasSubstr("t.lua:2: the budget"));
 }
 
+TEST(Sandbox, LongStringsMakeInstructionsDearer) {
+  const auto errorWith = [](int length, const std::string& work) {
+    const std::string n = std::to_string(length);
+    return errorOf("local s = string.rep('\\0', " + n + ") .. '1' local d = string.rep('1', " + n + ") for i = 1, 20000 do " + work + " end");
+  };
+  for (const std::string work : {"local x = s < s .. '2'", "local x = d + 1", "local x = tonumber(d, 36)", "local x = d:byte(1, 9)"}) {
+    EXPECT_EQ(errorWith(200, work), "no error") << work;
+    EXPECT_THAT(errorWith(50000, work), HasSubstr("t.lua:1: the budget")) << work;
+  }
+}
+
+TEST(Sandbox, AnErrorIsOneLine) {
+  EXPECT_EQ(errorOf("error('a\\nb\\0c')"), "t.lua:1: a b c");
+  EXPECT_LT(errorOf("error(string.rep('x', 60000))").size(), 400u);
+}
+
+TEST(Sandbox, TheFileThatDoesNotFitIntoMemoryIsNamed) {
+  Sandbox sandbox(noLibrary());
+  ASSERT_TRUE(sandbox.load("x = 1", "small.lua"));
+  const Status status = sandbox.load("x = '" + std::string(200000, 'a') + "'", "large.lua");
+  EXPECT_THAT(status.error().message, HasSubstr("large.lua: the memory budget"));
+}
+
 TEST(Sandbox, TheBudgetOfACallIsItsOwn) {
   Sandbox sandbox(noLibrary());
   ASSERT_TRUE(sandbox.load("function work(n) for i = 1, n do end end", "t.lua"));

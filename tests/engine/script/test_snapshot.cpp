@@ -43,6 +43,24 @@ TEST(Snapshot, ARestoredScriptGoesOnAsTheOriginal) {
   EXPECT_EQ(first.bytes(), second.bytes());
 }
 
+TEST(Snapshot, WhatLongStringsMadeDearStaysDear) {
+  const auto made = [] {
+    Sandbox sandbox(noLibrary());
+    EXPECT_TRUE(sandbox.load("function grow() local s = string.rep('x', 60000) end function work() for i = 1, 20000 do end end", "t.lua"));
+    return sandbox;
+  };
+  Sandbox original = made();
+  EXPECT_TRUE(original.call("work"));
+  ASSERT_TRUE(original.call("grow"));
+  EXPECT_FALSE(original.call("work"));
+  ByteWriter saved;
+  ASSERT_TRUE(original.save(saved));
+  Sandbox restored = made();
+  ByteReader reader(saved.bytes());
+  ASSERT_TRUE(restored.restore(reader));
+  EXPECT_FALSE(restored.call("work"));
+}
+
 TEST(Snapshot, BytesDependOnContentsAlone) {
   const auto bytesAfter = [](const std::string& source) {
     Sandbox sandbox(noLibrary());
