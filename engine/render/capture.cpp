@@ -1,11 +1,7 @@
 #include "engine/render/capture.h"
 
+#include "engine/core/file.h"
 #include "engine/math/types.h"
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -14,14 +10,10 @@ namespace brittle::render {
 
 namespace {
 
-struct File {
-  std::FILE* handle = nullptr;
-  bool failed = false;
-};
-
-void writeBytes(void* context, void* data, int size) {
-  File& file = *static_cast<File*>(context);
-  if (std::fwrite(data, 1, static_cast<std::size_t>(size), file.handle) != static_cast<std::size_t>(size)) file.failed = true;
+void append(void* context, void* data, int size) {
+  auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
+  const auto* first = static_cast<const std::uint8_t*>(data);
+  bytes.insert(bytes.end(), first, first + size);
 }
 
 std::vector<std::uint8_t> withoutAlpha(const Image& image) {
@@ -37,25 +29,12 @@ std::vector<std::uint8_t> withoutAlpha(const Image& image) {
 }  // namespace
 
 Status writePng(const Image& image, const std::string& path) {
-  if (image.width <= 0 || image.height <= 0) return Error{path + ": an empty picture cannot be written"};
-  const std::string temporary = path + ".part";
-  File file{std::fopen(temporary.c_str(), "wb")};
-  if (file.handle == nullptr) return Error{path + ": cannot be written: " + std::strerror(errno)};
+  if (image.width <= 0 || image.height <= 0) return errorAt(path, 0, "an empty picture cannot be written");
   const std::vector<std::uint8_t> rgb = withoutAlpha(image);
-  const int done = stbi_write_png_to_func(writeBytes, &file, image.width, image.height, 3, rgb.data(), image.width * 3);
-  const bool closed = std::fclose(file.handle) == 0;
-  std::error_code error;
-  if (done == 0 || file.failed || !closed) {
-    std::filesystem::remove(temporary, error);
-    return Error{path + ": writing stopped half-way, is the disk full?"};
-  }
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(temporary, error);
-    return Error{path + ": cannot be replaced: " + reason};
-  }
-  return Done{};
+  std::vector<std::uint8_t> png;
+  if (stbi_write_png_to_func(append, &png, image.width, image.height, 3, rgb.data(), image.width * 3) == 0)
+    return errorAt(path, 0, "no memory to compress the picture");
+  return writeFile(path, png);
 }
 
 Result<Image> readPng(const std::string& path) {
@@ -63,7 +42,8 @@ Result<Image> readPng(const std::string& path) {
   int channels = 0;
   std::uint8_t* pixels = stbi_load(path.c_str(), &image.width, &image.height, &channels, 4);
   if (pixels == nullptr) return Error{path + ": not a readable PNG: " + stbi_failure_reason()};
-  image.pixels.assign(pixels, pixels + 4u * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  image.pixels.assign(pixels,
+                      pixels + 4u * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   stbi_image_free(pixels);
   return image;
 }

@@ -11,14 +11,13 @@ namespace brittle::render {
 
 /// RGBA8, sRGB-encoded, top row first.
 struct Image {
-  int width = 0, height = 0;          // [pixels]
-  std::vector<std::uint8_t> pixels;   // width * height * 4
+  int width = 0, height = 0;         // [pixels]
+  std::vector<std::uint8_t> pixels;  // width * height * 4
 
   const std::uint8_t* at(int x, int y) const { return &pixels[4u * (static_cast<std::size_t>(y) * width + x)]; }
 };
 
-/// Writes a PNG (RGB, the alpha is dropped): to a temporary name beside it, then renamed, so that nothing half-written ever has the
-/// final name. Fails with the path and the reason if the folder is missing or cannot be written.
+/// Writes a PNG (RGB, the alpha is dropped) as core/file writes: never half a picture.
 Status writePng(const Image& image, const std::string& path);
 Result<Image> readPng(const std::string& path);
 

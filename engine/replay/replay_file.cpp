@@ -11,12 +11,10 @@
 #include "engine/replay/replay_file.h"
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <system_error>
+#include <utility>
 
 #include "engine/core/byte_stream.h"
+#include "engine/core/file.h"
 #include "engine/core/hash.h"
 #include "engine/replay/compress.h"
 
@@ -26,6 +24,7 @@ namespace {
 constexpr unsigned char kMagic[8] = {'B', 'R', 'I', 'T', 'T', 'L', 'E', 0x1a};
 constexpr std::size_t kHeaderSize = 8 + 4 + 4 + 8;
 constexpr std::size_t kChecksumSize = 8;
+constexpr std::size_t kLongestFile = 2u << 30;        // [bytes]; chosen: four hours in crowded rooms take a tenth
 constexpr std::uint32_t kLongestSnapshot = 1u << 30;  // [bytes]; chosen: a thousand times what a crowded room takes
 
 struct Packed {
@@ -189,28 +188,13 @@ Result<Replay> decode(std::span<const unsigned char> bytes, const std::string& n
 }
 
 Status save(const Replay& replay, const std::string& path) {
-  const std::vector<unsigned char> bytes = encode(replay);
-  const std::string temporary = path + ".part";
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code problem;
-  if (out) std::filesystem::rename(temporary, path, problem);
-  if (out && !problem) return Done{};
-  const std::string why =
-      problem ? problem.message() : "cannot be written: is the folder there and writable, the disk not full?";
-  std::filesystem::remove(temporary, problem);
-  return errorAt(path, 0, why);
+  return writeFile(path, encode(replay));
 }
 
 Result<Replay> load(const std::string& path, std::uint32_t simulationVersion) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem))
-    return errorAt(path, 0, "no such file, expected a replay (.brt)");
-  std::ifstream in(path, std::ios::binary);
-  const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) return errorAt(path, 0, "cannot be read");
-  return decode(bytes, path, simulationVersion);
+  const Result<std::string> bytes = readFile(path, kLongestFile, "a replay (.brt)");
+  if (!bytes) return bytes.error();
+  return decode({reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()}, path, simulationVersion);
 }
 
 }  // namespace brittle::replay

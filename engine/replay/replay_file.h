@@ -21,7 +21,7 @@ std::vector<unsigned char> encode(const Replay& replay);
 /// `name` is used in the message. Refuses a replay whose simulation version is not `simulationVersion`.
 Result<Replay> decode(std::span<const unsigned char> bytes, const std::string& name, std::uint32_t simulationVersion);
 
-/// Writes beside `path` and renames, so that a full disk or a crash never leaves half a replay.
+/// As core/file writes: never half a replay.
 Status save(const Replay& replay, const std::string& path);
 Result<Replay> load(const std::string& path, std::uint32_t simulationVersion);
 

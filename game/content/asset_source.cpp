@@ -1,7 +1,8 @@
 #include "game/content/asset_source.h"
 
+#include "engine/core/file.h"
+
 #include <filesystem>
-#include <fstream>
 #include <zlib.h>
 
 namespace brittle::content {
@@ -41,7 +42,8 @@ bool isSafeName(const std::string& name) {
 
 Result<std::string> unpacked(const std::string& bytes) {
   const bool isGzip = bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
-  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' && (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
+  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' &&
+                      (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
   if (!isGzip && !isZlib) return bytes;
   z_stream stream{};
   if (inflateInit2(&stream, 15 + 32) != Z_OK) return Error{"cannot start to unpack"};
@@ -69,11 +71,14 @@ std::string AssetSource::storedName(const std::string& name) const {
   return {};
 }
 
-bool AssetSource::has(const std::string& name) const { return !storedName(name).empty(); }
+bool AssetSource::has(const std::string& name) const {
+  return !storedName(name).empty();
+}
 
 Result<std::string> AssetSource::read(const std::string& name) const {
   const std::string stored = storedName(name);
-  if (stored.empty()) return errorAt(name, 0, isSafeName(name) ? "there is no such file" : "this name leads out of the assets");
+  if (stored.empty())
+    return errorAt(name, 0, isSafeName(name) ? "there is no such file" : "this name leads out of the assets");
   const std::optional<std::string> raw = bytes(stored);
   if (!raw) return errorAt(stored, 0, "cannot be read, or is longer than " + std::to_string(kLongestFile) + " bytes");
   Result<std::string> contents = unpacked(*raw);
@@ -90,27 +95,19 @@ std::string FolderSource::pathOf(const std::string& stored) const {
   return {};
 }
 
-bool FolderSource::contains(const std::string& stored) const { return !pathOf(stored).empty(); }
+bool FolderSource::contains(const std::string& stored) const {
+  return !pathOf(stored).empty();
+}
 
 std::optional<std::string> FolderSource::bytes(const std::string& stored) const {
   const std::string path = pathOf(stored);
-  return path.empty() ? std::nullopt : readFile(path);
+  const Result<std::string> read = path.empty() ? Error{} : readFile(path, kLongestFile, "content");
+  return read ? std::optional<std::string>(*read) : std::nullopt;
 }
 
 std::optional<std::string> MemorySource::bytes(const std::string& stored) const {
   const auto found = files_.find(stored);
   return found == files_.end() ? std::nullopt : std::optional<std::string>(found->second);
-}
-
-std::optional<std::string> readFile(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string contents;
-  char block[65536];
-  while (in.read(block, sizeof(block)) || in.gcount() > 0) {
-    contents.append(block, static_cast<std::size_t>(in.gcount()));
-    if (contents.size() > kLongestFile) return std::nullopt;
-  }
-  return in.eof() ? std::optional<std::string>(std::move(contents)) : std::nullopt;
 }
 
 }  // namespace brittle::content

@@ -1,6 +1,7 @@
-// content/asset_source.h - where content is read from: names like "segments/a/b.xml" in, bytes out. The community stores every file
-// with an extra .mp3, segments also gzipped before that: a name finds NAME, NAME.mp3, NAME.gz and NAME.gz.mp3, in this order.
-// No name leads out of the source: names with .., a drive, a scheme (http:, user:) or a leading / count as not there.
+// content/asset_source.h - where content is read from: names like "segments/a/b.xml" in, bytes out. The community
+// stores every file with an extra .mp3, segments also gzipped before that: a name finds NAME, NAME.mp3, NAME.gz and
+// NAME.gz.mp3, in this order. No name leads out of the source: names with .., a drive, a scheme (http:, user:) or a
+// leading / count as not there.
 #pragma once
 
 #include "engine/core/result.h"
@@ -58,11 +59,11 @@ class MemorySource : public AssetSource {
   std::map<std::string, std::string> files_;
 };
 
-/// Whether a name may be looked up at all: relative, forward slashes, no `.` or `..` parts, no colon, no control characters.
+/// Whether a name may be looked up at all: relative, forward slashes, no `.` or `..` parts, no colon, no control
+/// characters.
 bool isSafeName(const std::string& name);
-/// What a gzip or zlib archive holds; fails if it is damaged or longer than kLongestFile. Other bytes come back as they are.
+/// What a gzip or zlib archive holds; fails if it is damaged or longer than kLongestFile. Other bytes come back as they
+/// are.
 Result<std::string> unpacked(const std::string& bytes);
-/// The whole file at `path`, or nothing if it cannot be read or is longer than kLongestFile.
-std::optional<std::string> readFile(const std::string& path);
 
 }  // namespace brittle::content
