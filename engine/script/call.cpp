@@ -10,6 +10,8 @@ namespace brittle::script {
 namespace {
 
 constexpr double kLargest = 1e15;
+constexpr std::size_t kLongest =
+    1000;  // [bytes]: names and key=value; the game keeps them, out of reach of the script's memory budget
 
 std::string describe(lua_State* lua, int index) {
   switch (lua_type(lua, index)) {
@@ -18,20 +20,34 @@ std::string describe(lua_State* lua, int index) {
       std::snprintf(text, sizeof(text), "%.14g", lua_tonumber(lua, index));
       return text;
     }
-    case LUA_TSTRING: return "\"" + std::string(lua_tostring(lua, index)).substr(0, 60) + "\"";
-    case LUA_TBOOLEAN: return lua_toboolean(lua, index) != 0 ? "true" : "false";
-    case LUA_TNONE: return "nothing";
-    default: return luaL_typename(lua, index);
+    case LUA_TSTRING:
+      return "\"" + std::string(lua_tostring(lua, index)).substr(0, 60) + "\"";
+    case LUA_TBOOLEAN:
+      return lua_toboolean(lua, index) != 0 ? "true" : "false";
+    case LUA_TNONE:
+      return "nothing";
+    default:
+      return luaL_typename(lua, index);
   }
 }
 
 }  // namespace
 
-int Call::count() const { return lua_gettop(lua_); }
-bool Call::has(int index) const { return !lua_isnoneornil(lua_, index); }
-bool Call::isNumber(int index) const { return lua_isnumber(lua_, index) != 0; }
-bool Call::isText(int index) const { return lua_type(lua_, index) == LUA_TSTRING && !isNumber(index); }
-bool Call::isBoolean(int index) const { return lua_isboolean(lua_, index); }
+int Call::count() const {
+  return lua_gettop(lua_);
+}
+bool Call::has(int index) const {
+  return !lua_isnoneornil(lua_, index);
+}
+bool Call::isNumber(int index) const {
+  return lua_isnumber(lua_, index) != 0;
+}
+bool Call::isText(int index) const {
+  return lua_type(lua_, index) == LUA_TSTRING && !isNumber(index);
+}
+bool Call::isBoolean(int index) const {
+  return lua_isboolean(lua_, index);
+}
 
 void Call::fail(const std::string& what) {
   if (failed_) return;
@@ -57,7 +73,9 @@ double Call::number(int index) {
   return value;
 }
 
-double Call::number(int index, double otherwise) { return has(index) ? number(index) : otherwise; }
+double Call::number(int index, double otherwise) {
+  return has(index) ? number(index) : otherwise;
+}
 
 double Call::rounded(int index, double value) {
   if (value <= 2147483647.0 && value >= -2147483647.0) return std::trunc(value);
@@ -65,8 +83,12 @@ double Call::rounded(int index, double value) {
   return 0.0;
 }
 
-int Call::integer(int index) { return static_cast<int>(rounded(index, number(index))); }
-int Call::integer(int index, int otherwise) { return has(index) ? integer(index) : otherwise; }
+int Call::integer(int index) {
+  return static_cast<int>(rounded(index, number(index)));
+}
+int Call::integer(int index, int otherwise) {
+  return has(index) ? integer(index) : otherwise;
+}
 
 bool Call::boolean(int index) {
   if (lua_isboolean(lua_, index)) return lua_toboolean(lua_, index) != 0;
@@ -75,20 +97,28 @@ bool Call::boolean(int index) {
   return false;
 }
 
-bool Call::boolean(int index, bool otherwise) { return has(index) ? boolean(index) : otherwise; }
+bool Call::boolean(int index, bool otherwise) {
+  return has(index) ? boolean(index) : otherwise;
+}
 
 std::string Call::string(int index) {
-  if (lua_type(lua_, index) == LUA_TSTRING) return toValue(lua_, index).text;
+  if (lua_type(lua_, index) == LUA_TSTRING && lua_rawlen(lua_, index) <= kLongest) return toValue(lua_, index).text;
   if (lua_type(lua_, index) == LUA_TNUMBER) return describe(lua_, index);
-  refuse(index, "a string");
+  refuse(index, lua_type(lua_, index) == LUA_TSTRING ? "a string of at most 1000 bytes" : "a string");
   return {};
 }
 
-std::string Call::string(int index, const std::string& otherwise) { return has(index) ? string(index) : otherwise; }
+std::string Call::string(int index, const std::string& otherwise) {
+  return has(index) ? string(index) : otherwise;
+}
 
-void Call::result(Value value) { results_.push_back(std::move(value)); }
+void Call::result(Value value) {
+  results_.push_back(std::move(value));
+}
 
-void Call::charge(std::int64_t instructions) { SandboxState::of(lua_).spend(instructions); }
+void Call::charge(std::int64_t instructions) {
+  SandboxState::of(lua_).spend(instructions);
+}
 
 const std::string& Call::file() const {
   static const std::string none = "script";
@@ -97,8 +127,14 @@ const std::string& Call::file() const {
   return index < state.files.size() ? state.files[index] : none;
 }
 
-int Call::line() const { return SandboxState::of(lua_).place().second; }
-Random& Call::random() { return SandboxState::of(lua_).random; }
-void* Call::userPointer() { return SandboxState::of(lua_).user; }
+int Call::line() const {
+  return SandboxState::of(lua_).place().second;
+}
+Random& Call::random() {
+  return SandboxState::of(lua_).random;
+}
+void* Call::userPointer() {
+  return SandboxState::of(lua_).user;
+}
 
 }  // namespace brittle::script

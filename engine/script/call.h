@@ -1,6 +1,6 @@
-// script/call.h - the arguments and results of one call from a script into C++. A wrong argument does not throw or jump: the
-// first one is remembered, the reader gets a harmless value, and the script gets the error once the native has returned.
-// So a native reads all its arguments, leaves if `failed()`, and only then acts.
+// script/call.h - the arguments and results of one call from a script into C++. A wrong argument does not throw or
+// jump: the first one is remembered, the reader gets a harmless value, and the script gets the error once the native
+// has returned. So a native reads all its arguments, leaves if `failed()`, and only then acts.
 #pragma once
 
 #include "engine/core/random.h"
@@ -26,7 +26,8 @@ class Call {
   bool isText(int index) const;
   bool isBoolean(int index) const;
 
-  /// A finite number of at most 1e15 in size; strings that read as numbers count. Wrong or missing: the call fails, gives 0.
+  /// A finite number of at most 1e15 in size; strings that read as numbers count. Wrong or missing: the call fails,
+  /// gives 0.
   double number(int index);
   double number(int index, double otherwise);
   float real(int index) { return static_cast<float>(number(index)); }
@@ -37,7 +38,7 @@ class Call {
   /// A boolean; a number counts as true unless it is 0 (the community writes both).
   bool boolean(int index);
   bool boolean(int index, bool otherwise);
-  /// A string, or a number as Lua prints it.
+  /// A string of at most 1000 bytes, or a number as Lua prints it.
   std::string string(int index);
   std::string string(int index, const std::string& otherwise);
 

@@ -10,14 +10,16 @@
 namespace brittle::script {
 namespace {
 
-constexpr int kHookEvery = 100;          // instructions between two looks at the budget: 0.4 ns each, measured
+constexpr int kHookEvery = 100;           // instructions between two looks at the budget: 0.4 ns each, measured
 constexpr std::size_t kChurnFactor = 32;  // a run may ask for this many times the memory limit in all
 
 // What Lua keeps with a string: list, kind, hash, length; and a byte for its end.
 constexpr std::size_t kStringHeader = sizeof(void*) == 8 ? 25 : 17;
 constexpr std::size_t kLongestMessage = 300;  // an error is one line
 
-void countInstructions(lua_State* lua, lua_Debug*) { charge(lua, kHookEvery * std::int64_t{SandboxState::of(lua).price}); }
+void countInstructions(lua_State* lua, lua_Debug*) {
+  charge(lua, kHookEvery * std::int64_t{SandboxState::of(lua).price});
+}
 
 int panic(lua_State* lua) {
   const char* message = lua_tostring(lua, -1);
@@ -81,7 +83,8 @@ SandboxState::SandboxState(const Library& library, std::uint64_t seed, Limits li
     open(inner, luaopen_string);  // for the metatable of strings
     lua_pop(inner, 1);
     lua_newtable(inner);
-    keep(inner, 1, {"_VERSION", "assert", "error", "ipairs", "rawequal", "rawget", "rawset", "select", "tonumber", "type"});
+    keep(inner, 1,
+         {"_VERSION", "assert", "error", "ipairs", "rawequal", "rawget", "rawset", "select", "tonumber", "type"});
     addBase(inner);
     lua_pushvalue(inner, -1);
     lua_setfield(inner, -2, "_G");
@@ -101,7 +104,9 @@ SandboxState::SandboxState(const Library& library, std::uint64_t seed, Limits li
   BR_ASSERT(status == LUA_OK);
 }
 
-SandboxState::~SandboxState() { lua_close(lua); }
+SandboxState::~SandboxState() {
+  lua_close(lua);
+}
 
 void* SandboxState::allocate(void* self, void* block, std::size_t before, std::size_t wanted) {
   auto& state = *static_cast<SandboxState*>(self);
@@ -112,7 +117,8 @@ void* SandboxState::allocate(void* self, void* block, std::size_t before, std::s
     std::free(block);
     return nullptr;
   }
-  if (wanted > before && !state.admits(before, wanted, isString ? state.limits.longestString : state.limits.largestBlockBytes))
+  if (wanted > before &&
+      !state.admits(before, wanted, isString ? state.limits.longestString : state.limits.largestBlockBytes))
     return nullptr;
   if (isString && wanted > kStringHeader)
     state.price = std::max(state.price, 1 + static_cast<std::uint32_t>((wanted - kStringHeader) / kPricedLength));
@@ -161,7 +167,8 @@ std::pair<int, int> SandboxState::place() const {
   for (int level = 0; lua != nullptr && lua_getstack(lua, level, &record) != 0; ++level) {
     lua_getinfo(lua, "Sl", &record);
     if (record.currentline <= 0 || record.source[0] != '@' || record.source[1] != '~') continue;
-    return {std::atoi(record.source + 2), record.currentline};
+    const int file = std::atoi(record.source + 2);
+    if (!files[static_cast<std::size_t>(file)].empty()) return {file, record.currentline};
   }
   return {0, 0};
 }
@@ -179,9 +186,12 @@ Error SandboxState::takeError(int status) {
   if (status == LUA_ERRMEM) {
     // Outside of any line it was the compiler that asked.
     const std::size_t place = refusedAt_.second > 0 ? static_cast<std::size_t>(refusedAt_.first) : files.size() - 1;
-    message = errorAt(files.empty() ? "script" : files[place], refusedAt_.second, "the memory budget is used up: recursion without end, or data without end (" +
-                      std::to_string(limits.memoryBytes) + " bytes in all, " + std::to_string(limits.largestBlockBytes) +
-                      " in one table, " + std::to_string(limits.longestString) + " in one string)").message;
+    message =
+        errorAt(files.empty() ? "script" : files[place], refusedAt_.second,
+                "the memory budget is used up: recursion without end, or data without end (" +
+                    std::to_string(limits.memoryBytes) + " bytes in all, " + std::to_string(limits.largestBlockBytes) +
+                    " in one table, " + std::to_string(limits.longestString) + " in one string)")
+            .message;
   } else if (lua_type(lua, -1) == LUA_TSTRING) {
     std::size_t size = 0;
     const char* text = lua_tolstring(lua, -1, &size);
@@ -242,23 +252,34 @@ void charge(lua_State* lua, std::int64_t amount) {
 
 void pushValue(lua_State* lua, const Value& value) {
   switch (value.kind) {
-    case Value::Kind::Nil: lua_pushnil(lua); break;
-    case Value::Kind::Boolean: lua_pushboolean(lua, value.number != 0.0 ? 1 : 0); break;
-    case Value::Kind::Number: lua_pushnumber(lua, value.number); break;
-    case Value::Kind::Text: lua_pushlstring(lua, value.text.data(), value.text.size()); break;
+    case Value::Kind::Nil:
+      lua_pushnil(lua);
+      break;
+    case Value::Kind::Boolean:
+      lua_pushboolean(lua, value.number != 0.0 ? 1 : 0);
+      break;
+    case Value::Kind::Number:
+      lua_pushnumber(lua, value.number);
+      break;
+    case Value::Kind::Text:
+      lua_pushlstring(lua, value.text.data(), value.text.size());
+      break;
   }
 }
 
 Value toValue(lua_State* lua, int index) {
   switch (lua_type(lua, index)) {
-    case LUA_TNUMBER: return lua_tonumber(lua, index);
-    case LUA_TBOOLEAN: return lua_toboolean(lua, index) != 0;
+    case LUA_TNUMBER:
+      return lua_tonumber(lua, index);
+    case LUA_TBOOLEAN:
+      return lua_toboolean(lua, index) != 0;
     case LUA_TSTRING: {
       std::size_t size = 0;
       const char* text = lua_tolstring(lua, index, &size);
       return std::string(text, size);
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 

@@ -54,8 +54,13 @@ TEST_F(Calls, AWrongArgumentIsNamed) {
   EXPECT_EQ(errorOfLoad("mgBox()"), "room.lua:1: mgBox: argument 1: expected a number, got nothing");
   EXPECT_EQ(errorOfLoad("mgBox(nil)"), "room.lua:1: mgBox: argument 1: expected a number, got nil");
   EXPECT_EQ(errorOfLoad("mgBox(1/0)"), "room.lua:1: mgBox: argument 1: expected a finite number up to 1e15, got inf");
-  EXPECT_EQ(errorOfLoad("mgWhole(1e12)"), "room.lua:1: mgWhole: argument 1: expected a whole number up to 2147483647, got 1000000000000");
+  EXPECT_EQ(errorOfLoad("mgWhole(1e12)"),
+            "room.lua:1: mgWhole: argument 1: expected a whole number up to 2147483647, got 1000000000000");
   EXPECT_EQ(errorOfLoad("mgTruth('yes')"), "room.lua:1: mgTruth: argument 1: expected true or false, got \"yes\"");
+  EXPECT_EQ(
+      errorOfLoad("mgName(string.rep('x', 1001))"),
+      "room.lua:1: mgName: argument 1: expected a string of at most 1000 bytes, got \"" + std::string(60, 'x') + "\"");
+  EXPECT_EQ(errorOfLoad("mgName(string.rep('x', 1000))"), "no error");
   EXPECT_TRUE(world_.seen.empty());
 }
 
@@ -66,7 +71,15 @@ TEST_F(Calls, KindsAreReadAsTheCommunityWritesThem) {
   EXPECT_EQ(load("result = mgWhole(-2.7)"), Value(-2.0));
 }
 
-TEST_F(Calls, ANativeMayUseUpTheBudget) { EXPECT_THAT(errorOfLoad("mgBusy()"), testing::HasSubstr("room.lua:1: the budget")); }
+TEST_F(Calls, ASourceWithoutANameIsNotToBlame) {
+  ASSERT_TRUE(sandbox_.load("local name = mgName function mgName(t)\n\nname(t.text) end", ""));
+  EXPECT_EQ(errorOfLoad("\nmgName{text = nil}"), "room.lua:2: mgName: argument 1: expected a string, got nil");
+  EXPECT_EQ(errorOfLoad("\nmgName{text = 'a'}"), "no error");
+}
+
+TEST_F(Calls, ANativeMayUseUpTheBudget) {
+  EXPECT_THAT(errorOfLoad("mgBusy()"), testing::HasSubstr("room.lua:1: the budget"));
+}
 
 TEST_F(Calls, AnErrorWithinSortOrGsubStillNamesTheLine) {
   EXPECT_EQ(errorOfLoad("\nstring.gsub('a', '.', mgWhole)"),
