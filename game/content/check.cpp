@@ -1,5 +1,6 @@
 #include "game/content/check.h"
 
+#include "engine/core/file.h"
 #include "engine/script/rewrite.h"
 #include "engine/script/sandbox.h"
 #include "game/content/asset_source.h"
@@ -33,6 +34,10 @@ std::string bareName(std::string name) {
   return name;
 }
 
+bool isContent(const std::string& path) {
+  return endsWith(bareName(path), ".xml") || endsWith(bareName(path), ".lua");
+}
+
 /// The name of the first element of an XML text; empty if there is none.
 std::string firstElement(const std::string& text) {
   std::size_t at = 0;
@@ -50,13 +55,16 @@ std::string firstElement(const std::string& text) {
 
 class Checker {
  public:
+  /// `path` as it will be named.
   CheckReport run(const std::string& path) {
     std::error_code failed;
     findRoot(path);
     if (fs::is_directory(path, failed)) {
       for (const std::string& file : filesIn(path)) checkFile(file);
-    } else {
+    } else if (isContent(path)) {
       checkFile(path);
+    } else {
+      problem(path, 0, "not level content", {}, "a .xml or .lua file, or a folder of them");
     }
     return std::move(report_);
   }
@@ -66,10 +74,21 @@ class Checker {
     report_.problems.push_back({file, line, std::move(what), std::move(value), std::move(expected)});
   }
 
+  /// From a reader's "path:line: what".
+  void problem(const std::string& path, const Error& error) {
+    const std::string& message = error.message;
+    const bool isHere = message.compare(0, path.size() + 1, path + ":") == 0;
+    const int line = isHere ? std::atoi(message.c_str() + path.size() + 1) : 0;
+    const std::size_t what = message.find(": ", isHere ? path.size() : 0);
+    problem(path, line, isHere && what != std::string::npos ? message.substr(what + 2) : message);
+  }
+
   void take(Problems& problems) {
-    std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    std::stable_sort(problems.begin(), problems.end(),
+                     [](const Problem& a, const Problem& b) { return a.line < b.line; });
     for (Problem& one : problems)
-      if (listed_.insert(one.text()).second) report_.problems.push_back(std::move(one));  // one of a template may come up in many files
+      if (listed_.insert(one.text()).second)
+        report_.problems.push_back(std::move(one));  // one of a template may come up in many files
   }
 
   std::vector<std::string> filesIn(const std::string& folder) {
@@ -90,12 +109,17 @@ class Checker {
   /// The asset folder around the path, or directly in it, and its templates.
   void findRoot(const std::string& path) {
     std::error_code failed;
-    fs::path folder = fs::absolute(path, failed).lexically_normal();
-    for (const fs::path& inside : {folder, folder / "assets"})
-      if (isRoot(inside)) return useRoot(inside);
+    const fs::path here = fs::current_path(failed);
+    const auto isFound = [&](const fs::path& folder) {
+      if (!isRoot(folder)) return false;
+      useRoot(folder, fs::path(path).is_absolute() ? folder : folder.lexically_relative(here));
+      return true;
+    };
+    fs::path folder = (here / path).lexically_normal();
+    if (isFound(folder) || isFound(folder / "assets")) return;
     for (int i = 0; i < kMostParents && folder.has_relative_path(); ++i) {
       folder = folder.parent_path();
-      if (isRoot(folder)) return useRoot(folder);
+      if (isFound(folder)) return;
     }
   }
 
@@ -105,23 +129,24 @@ class Checker {
            fs::is_directory(folder / "segments", failed);
   }
 
-  void useRoot(const fs::path& folder) {
+  /// `shown`: the folder as its files are named in messages.
+  void useRoot(const fs::path& folder, const fs::path& shown) {
     root_.emplace(std::vector<std::string>{folder.string()});
     const Result<std::string> text = root_->read("templates.xml");
-    if (text) templates_ = readTemplates(*text, (folder / root_->storedName("templates.xml")).lexically_relative(fs::current_path()).string());
+    if (text)
+      templates_ = readTemplates(*text, (shown / root_->storedName("templates.xml")).lexically_normal().string());
   }
 
   void checkFile(const std::string& path) {
-    const std::string name = bareName(path);
-    if (!endsWith(name, ".xml") && !endsWith(name, ".lua")) {
+    if (!isContent(path)) {
       ++report_.skipped;
       return;
     }
-    const std::optional<std::string> raw = readFile(path);
-    if (!raw) return problem(path, 0, "cannot be read, or is too long", {}, "up to " + std::to_string(kLongestFile) + " bytes");
+    const Result<std::string> raw = readFile(path, kLongestFile, "content");
+    if (!raw) return problem(path, raw.error());
     const Result<std::string> text = unpacked(*raw);
     if (!text) return problem(path, 0, text.error().message);
-    if (endsWith(name, ".lua")) {
+    if (endsWith(bareName(path), ".lua")) {
       checkScript(path, *text);
     } else {
       checkXml(path, *text);
@@ -166,25 +191,22 @@ class Checker {
     report_.rooms += static_cast<int>(level.rooms.size());
     for (const Room& room : level.rooms)
       if (root_ && !root_->has("rooms/" + room.type + ".lua"))
-        level.problems.push_back({path, room.line, "the room has no script", room.type, "a file rooms/" + room.type + ".lua"});
+        level.problems.push_back(
+            {path, room.line, "the room has no script", room.type, "a file rooms/" + room.type + ".lua"});
     take(level.problems);
   }
 
   void checkReferences(GameList& list) {
     for (const LevelEntry& entry : list.levels)
       if (root_ && !root_->has("levels/" + entry.name + ".xml"))
-        list.problems.push_back({list.file, entry.line, "there is no such level", entry.name, "a file levels/" + entry.name + ".xml"});
+        list.problems.push_back(
+            {list.file, entry.line, "there is no such level", entry.name, "a file levels/" + entry.name + ".xml"});
   }
 
   void checkScript(const std::string& path, const std::string& text) {
     ++report_.scripts;
     const Status status = script::checkSyntax(text, path);
-    if (!status) {
-      const std::string& message = status.error().message;  // "path:line: what"
-      const int line = message.compare(0, path.size() + 1, path + ":") == 0 ? std::atoi(message.c_str() + path.size() + 1) : 0;
-      const std::size_t what = message.find(": ", std::min(path.size() + 1, message.size()));
-      return problem(path, line, what == std::string::npos ? message : message.substr(what + 2));
-    }
+    if (!status) return problem(path, status.error());
     checkCalls(path, text);
   }
 
@@ -195,12 +217,16 @@ class Checker {
     for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i) {
       const bool isFunction = tokens.all[i].text == "function" && tokens.all[i + 1].kind == script::TokenKind::Name;
       if (isFunction) defined.insert(tokens.all[i + 1].text);
-      if (tokens.all[i].kind == script::TokenKind::Name && tokens.all[i + 1].text == "=") defined.insert(tokens.all[i].text);
+      if (tokens.all[i].kind == script::TokenKind::Name && tokens.all[i + 1].text == "=")
+        defined.insert(tokens.all[i].text);
     }
     for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i) {
       const script::Token& token = tokens.all[i];
-      const bool isField = i > 0 && (tokens.all[i - 1].text == "." || tokens.all[i - 1].text == ":" || tokens.all[i - 1].text == "function");
-      if (token.kind != script::TokenKind::Name || token.text.substr(0, 2) != "mg" || tokens.all[i + 1].text != "(" || isField) continue;
+      const bool isField = i > 0 && (tokens.all[i - 1].text == "." || tokens.all[i - 1].text == ":" ||
+                                     tokens.all[i - 1].text == "function");
+      if (token.kind != script::TokenKind::Name || token.text.substr(0, 2) != "mg" || tokens.all[i + 1].text != "(" ||
+          isField)
+        continue;
       if (isScriptCall(token.text) || defined.count(token.text) != 0) continue;
       problem(path, token.line, "unknown function", std::string(token.text), nearestScriptCall(token.text));
     }
@@ -216,7 +242,7 @@ class Checker {
 
 CheckReport checkPath(const std::string& path) {
   std::error_code failed;
-  if (fs::exists(path, failed)) return Checker().run(path);
+  if (fs::exists(path, failed)) return Checker().run(fs::path(path).lexically_normal().string());
   CheckReport report;
   report.problems.push_back({path, 0, "there is no such file or folder", {}, {}});
   return report;

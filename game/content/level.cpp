@@ -9,15 +9,19 @@ namespace {
 
 using Found = Attributes::Found;
 
+constexpr std::size_t kMostRooms = 500;  // a game reads the scripts of all before it begins
+
 bool readRoom(const Attributes& attributes, const pugi::xml_node& node, Room& room) {
   room.line = attributes.line();
-  for (const pugi::xml_attribute& attribute : node.attributes()) room.attributes.emplace(attribute.name(), attribute.value());
+  for (const pugi::xml_attribute& attribute : node.attributes())
+    room.attributes.emplace(attribute.name(), attribute.value());
   if (attributes.text("type", room.type) != Found::Good) {
     attributes.report("type is missing: the room is left out");
     return false;
   }
   Found found = attributes.number("length", 0.001, 1e6, room.length);
-  if (found == Found::Absent) found = attributes.number("distance", 0.001, 1e6, room.length);  // what test servers call it
+  if (found == Found::Absent)
+    found = attributes.number("distance", 0.001, 1e6, room.length);  // what test servers call it
   if (found == Found::Absent) attributes.report("length is missing: 100 is used");
   attributes.truth("start", room.start);
   attributes.truth("end", room.end);
@@ -33,6 +37,14 @@ Level readLevel(const std::string& text, const std::string& file) {
   std::set<std::string> reported;
   for (const pugi::xml_node& node : xml.elements()) {
     if (std::string_view(node.name()) != "room") continue;
+    if (level.rooms.size() == kMostRooms) {
+      xml.report({file,
+                  xml.lineOf(node),
+                  "too many rooms: the rest is left out",
+                  {},
+                  "at most " + std::to_string(kMostRooms)});
+      break;
+    }
     Room room;
     if (readRoom(Attributes(xml, node, nullptr, reported), node, room)) level.rooms.push_back(std::move(room));
   }

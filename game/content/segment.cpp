@@ -13,12 +13,16 @@ namespace {
 using Found = Attributes::Found;
 
 constexpr int kMostParams = 64;
+constexpr float kFarthest = 10'000.0f;       // [m]: beyond, floats lose their millimetres
+constexpr std::size_t kMostElements = 5000;  // of a segment; the largest known has some 500
 
 /// The position; an element whose position cannot be read is left out, one without stands at the origin.
 bool readPosition(const Attributes& attributes, Vec3& position) {
   const Found found = attributes.floats("pos", position.data(), 3);
   if (found == Found::Absent) attributes.report("pos is missing: 0 0 0 is used");
-  return found != Found::Bad;
+  const bool isNear = position.cwiseAbs().maxCoeff() <= kFarthest;
+  if (!isNear) attributes.reportAt("pos", "pos: the element is left out", "numbers up to 10000");
+  return found != Found::Bad && isNear;
 }
 
 void readColors(const Attributes& attributes, std::array<Vec3, 3>& color) {
@@ -26,7 +30,8 @@ void readColors(const Attributes& attributes, std::array<Vec3, 3>& color) {
   if (attributes.numbers("color", {3, 9}, values) == Found::Good) {
     for (std::size_t face = 0; face < 3; ++face) {
       const std::size_t first = values.size() == 9 ? face * 3 : 0;
-      color[face] = Vec3(static_cast<float>(values[first]), static_cast<float>(values[first + 1]), static_cast<float>(values[first + 2]));
+      color[face] = Vec3(static_cast<float>(values[first]), static_cast<float>(values[first + 1]),
+                         static_cast<float>(values[first + 2]));
     }
   }
   attributes.floats("colorX", color[0].data(), 3);  // how old files write one pair of faces
@@ -36,8 +41,8 @@ void readColors(const Attributes& attributes, std::array<Vec3, 3>& color) {
 
 /// One number for all pairs of faces or one each, within [low, high]; whole numbers if `whole`.
 template <class T>
-void readPerFace(const Attributes& attributes, const char* name, double low, double high, bool whole, const char* expected,
-                 std::array<T, 3>& out) {
+void readPerFace(const Attributes& attributes, const char* name, double low, double high, bool whole,
+                 const char* expected, std::array<T, 3>& out) {
   std::vector<double> values;
   if (attributes.numbers(name, {1, 3}, values) != Found::Good) return;
   for (const double value : values)
@@ -63,7 +68,8 @@ bool readBox(const Attributes& attributes, Box& box) {
   attributes.truth("hidden", box.hidden);
   attributes.truth("visible", box.visible);
   attributes.truth("reflection", box.reflection);
-  if (attributes.number("glow", -1000.0, 1000.0, box.glow) == Found::Absent) attributes.number("mb-glow", -1000.0, 1000.0, box.glow);
+  if (attributes.number("glow", -1000.0, 1000.0, box.glow) == Found::Absent)
+    attributes.number("mb-glow", -1000.0, 1000.0, box.glow);
   readColors(attributes, box.color);
   readTiles(attributes, box);
   if (!hasPosition || size == Found::Bad) return false;
@@ -124,7 +130,8 @@ bool readDecal(const Attributes& attributes, Decal& decal) {
     decal.size = Vec2(static_cast<float>(values[0]), static_cast<float>(values[1]));
   attributes.whole("tile", -4, 63, decal.tile);
   if (attributes.numbers("color", {3, 4}, values) == Found::Good)
-    for (std::size_t i = 0; i < values.size(); ++i) decal.color[static_cast<Eigen::Index>(i)] = static_cast<float>(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      decal.color[static_cast<Eigen::Index>(i)] = static_cast<float>(values[i]);
   attributes.number("blend", -10.0, 10.0, decal.blend);
   attributes.truth("hidden", decal.hidden);
   return hasPosition;
@@ -161,7 +168,8 @@ void readSettings(const Attributes& attributes, Segment& segment) {
   Vec3 size = segment.size;
   const Found found = attributes.floats("size", size.data(), 3);
   if (found == Found::Absent) attributes.report("size is missing: 12 10 16 is used");
-  if (found == Found::Good && size.minCoeff() <= 0.0f) attributes.reportAt("size", "size: 12 10 16 is used", "positive extents");
+  if (found == Found::Good && size.minCoeff() <= 0.0f)
+    attributes.reportAt("size", "size: 12 10 16 is used", "positive extents");
   if (size.minCoeff() > 0.0f) segment.size = size;
   const char* lights[] = {"lightLeft", "lightRight", "lightTop", "lightBottom", "lightFront", "lightBack"};
   for (std::size_t i = 0; i < 6; ++i) attributes.number(lights[i], -100.0, 100.0, segment.light[i]);
@@ -195,9 +203,18 @@ Segment readSegment(const std::string& text, const std::string& file, const Temp
     segment.line = xml.lineOf(xml.root());
     readSettings(Attributes(xml, xml.root(), &templates, reported), segment);
   }
+  std::size_t elements = 0;
   for (const pugi::xml_node& node : xml.elements()) {
     const std::string_view kind = node.name();
     if (kind != "box" && kind != "obstacle" && kind != "decal" && kind != "powerup" && kind != "water") continue;
+    if (++elements > kMostElements) {
+      xml.report({file,
+                  xml.lineOf(node),
+                  "too many elements: the rest is left out",
+                  {},
+                  "at most " + std::to_string(kMostElements)});
+      break;
+    }
     const Attributes attributes(xml, node, &templates, reported);
     if (kind == "box") readInto(segment.boxes, readBox, attributes);
     if (kind == "obstacle") readInto(segment.obstacles, readObstacle, attributes);

@@ -9,6 +9,8 @@ namespace brittle::content {
 namespace {
 
 constexpr int kMostRestarts = 50;
+constexpr std::size_t kMostParsed = 64u << 20;  // [bytes], in all restarts: each keeps its copy of the rest of the file
+constexpr std::size_t kLongestText = 1000;  // [bytes] of a name or a key=value: every placing of a segment copies them
 constexpr std::size_t kMostProblems = 1000;
 
 std::string countsText(std::initializer_list<std::size_t> counts) {
@@ -43,8 +45,13 @@ XmlFile::XmlFile(const std::string& text, const std::string& file, const char* r
     : file_(file), problems_(problems), lineStarts_{0} {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') lineStarts_.push_back(i + 1);
-  std::size_t start = 0;
-  for (int restart = 0; restart <= kMostRestarts; ++restart) {
+  std::size_t start = 0, parsed = 0;
+  for (int restart = 0;; ++restart) {
+    parsed += text.size() - start;
+    if (restart > kMostRestarts || parsed > kMostParsed) {
+      report({file_, lineAt(start), "XML: too many errors, the rest is not read", {}, {}});
+      break;
+    }
     const pugi::xml_parse_result result = parsePiece(text, start);
     collect(pieces_.back(), root);
     if (result || result.status == pugi::status_no_document_element) break;
@@ -191,6 +198,8 @@ Attributes::Found Attributes::text(const char* name, std::string& value) const {
   const std::optional<Place> place = find(name);
   if (!place) return Found::Absent;
   if (place->value.empty()) return refuse(name, *place, "a text that is not empty");
+  if (place->value.size() > kLongestText)
+    return refuse(name, *place, "at most " + std::to_string(kLongestText) + " bytes");
   value = place->value;
   return Found::Good;
 }

@@ -1,5 +1,6 @@
-// content/xml_file.h - a level's XML as its authors left it: what can be read is read, with the line of every element and attribute.
-// After a syntax error reading goes on at the next tag. Internal to game/content, the only place that sees pugixml.
+// content/xml_file.h - a level's XML as its authors left it: what can be read is read, with the line of every element
+// and attribute. After a syntax error reading goes on at the next tag. Internal to game/content, the only place that
+// sees pugixml.
 #pragma once
 
 #include "game/content/problem.h"
@@ -59,7 +60,8 @@ class Attributes {
   enum class Found { Absent, Good, Bad };
 
   /// `reported`: names of unknown templates that were reported already.
-  Attributes(const XmlFile& xml, const pugi::xml_node& node, const TemplateSet* templates, std::set<std::string>& reported);
+  Attributes(const XmlFile& xml, const pugi::xml_node& node, const TemplateSet* templates,
+             std::set<std::string>& reported);
 
   /// Numbers, as many as one of `counts`.
   Found numbers(const char* name, std::initializer_list<std::size_t> counts, std::vector<double>& values) const;
@@ -68,7 +70,7 @@ class Attributes {
   Found truth(const char* name, bool& value) const;
   /// Exactly `count` numbers.
   Found floats(const char* name, float* values, std::size_t count) const;
-  /// Not empty.
+  /// Not empty, at most 1000 bytes.
   Found text(const char* name, std::string& value) const;
 
   int line() const { return line_; }

@@ -5,6 +5,11 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
 namespace brittle::content {
 namespace {
 
@@ -37,9 +42,38 @@ TEST(Check, ASingleFileFindsTheTemplatesAroundIt) {
   EXPECT_THAT(listed(report.problems), Not(HasSubstr("got 'pane'")));
 }
 
-TEST(Check, TheSameListEveryTime) { EXPECT_EQ(listed(checkPath(kData).problems), listed(checkPath(kData).problems)); }
+TEST(Check, TheSameListEveryTime) {
+  EXPECT_EQ(listed(checkPath(kData).problems), listed(checkPath(kData).problems));
+}
 
-TEST(Check, WhatIsNotThereIsAProblem) { EXPECT_EQ(listed(checkPath("/no/such/path").problems), "/no/such/path: there is no such file or folder\n"); }
+TEST(Check, WhatIsNotThereIsAProblem) {
+  EXPECT_EQ(listed(checkPath("/no/such/path").problems), "/no/such/path: there is no such file or folder\n");
+}
+
+TEST(Check, AFileThatIsNoContentIsSaidToBeNone) {
+  EXPECT_EQ(listed(checkPath(kData + "/../../content_helpers.h").problems).substr(kData.size() - 11),
+            "content_helpers.h: not level content, expected a .xml or .lua file, or a folder of them\n");
+  const std::string pipe = testing::TempDir() + "brittle_pipe.xml";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(listed(checkPath(pipe).problems), pipe + ": not a file, expected content\n");
+  std::filesystem::remove(pipe);
+}
+
+TEST(Check, AFaultyTemplateIsListedOnceHoweverItIsReached) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "brittle_pack";
+  std::filesystem::create_directories(folder / "segments");
+  std::ofstream(folder / "templates.xml")
+      << "<templates><template name=\"t\"><properties tile=\"99\"/></template></templates>";
+  for (const char* name : {"a.xml", "b.xml"})
+    std::ofstream(folder / "segments" / name)
+        << "<segment size=\"1 1 1\"><box pos=\"0 0 0\" size=\"1 1 1\" template=\"t\"/></segment>";
+  const std::string relative = folder.lexically_relative(std::filesystem::current_path()).string();
+  for (const std::string& path : {folder.string(), relative, relative + "/", relative + "/segments/.."})
+    EXPECT_EQ(checkPath(path).problems.size(), 1u) << listed(checkPath(path).problems);
+  EXPECT_EQ(listed(checkPath(relative + "/segments").problems),
+            relative + "/templates.xml:1: <box> tile, got '99', expected whole numbers, 0 to 63\n");
+}
 
 TEST(ScriptNames, NearOnesAreSuggested) {
   EXPECT_TRUE(isScriptCall("mgCreateBody"));

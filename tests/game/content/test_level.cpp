@@ -29,9 +29,18 @@ TEST(Level, RoomsAreReadWithAllTheirAttributes) {
 }
 
 TEST(Level, OnOneLineIsReadToo) {
-  const Level level = readLevel("<level>\t<room type=\"a\" length=\"1\"/>\t<room type=\"b\" length=\"2\"/></level>", "l.xml");
+  const Level level =
+      readLevel("<level>\t<room type=\"a\" length=\"1\"/>\t<room type=\"b\" length=\"2\"/></level>", "l.xml");
   EXPECT_EQ(level.rooms.size(), 2u);
   EXPECT_TRUE(level.problems.empty());
+}
+
+TEST(Level, AnEndlessListOfRoomsEnds) {
+  std::string text = "<level>\n";
+  for (int i = 0; i < 501; ++i) text += "<room type=\"a\" length=\"1\"/>\n";
+  const Level level = readLevel(text + "</level>", "l.xml");
+  EXPECT_EQ(level.rooms.size(), 500u);
+  EXPECT_EQ(listed(level.problems), "l.xml:502: too many rooms: the rest is left out, expected at most 500\n");
 }
 
 TEST(Level, WithoutRoomsIsAProblem) {

@@ -45,7 +45,8 @@ TEST_F(SloppySegment, BoxesHaveTheirOwnValuesOverTheTemplates) {
 
 TEST_F(SloppySegment, WrongBoxesAreMendedOrLeftOutAndNamed) {
   EXPECT_EQ(segment_.boxes[2].halfExtents, Vec3(1, 1, 1));
-  EXPECT_THAT(problems_, HasSubstr("s.xml:5: <box> size is negative: its sign is dropped, got '1 1 -1', expected half extents"));
+  EXPECT_THAT(problems_,
+              HasSubstr("s.xml:5: <box> size is negative: its sign is dropped, got '1 1 -1', expected half extents"));
   EXPECT_THAT(problems_, HasSubstr("s.xml:5: unknown template, got 'nowhere'"));
   EXPECT_THAT(problems_, HasSubstr("s.xml:6: <box> pos, got '1 2', expected 3 numbers"));
   EXPECT_THAT(problems_, HasSubstr("s.xml:7: <box> a box without volume is left out"));
@@ -128,8 +129,39 @@ TEST(Segment, DeepAndRepeatedNonsenseEnds) {
   EXPECT_EQ(readSegment(many + "</segment>", "m.xml", {}).problems.size(), 1001u);
 }
 
+TEST(Segment, WhatNoLevelHoldsIsLeftOut) {
+  std::string text = "<segment size=\"1 1 1\">\n";
+  for (int i = 0; i < 5001; ++i) text += "<box pos=\"0 0 0\" size=\"1 1 1\"/>\n";
+  Segment segment = readSegment(text + "</segment>", "s.xml", {});
+  EXPECT_EQ(segment.boxes.size(), 5000u);
+  EXPECT_EQ(listed(segment.problems), "s.xml:5002: too many elements: the rest is left out, expected at most 5000\n");
+  const std::string value = "a=" + std::string(1000, 'x');
+  segment = readSegment(
+      "<segment size=\"1 1 1\"><obstacle pos=\"0 0 0\" type=\"o\" param0=\"" + value + "\"/></segment>", "s.xml", {});
+  EXPECT_TRUE(segment.obstacles[0].params.empty());
+  EXPECT_THAT(listed(segment.problems), HasSubstr("expected at most 1000 bytes"));
+}
+
+TEST(Segment, WhatIsTooFarAwayIsLeftOut) {
+  const Segment segment = readSegment(
+      "<segment size=\"1 1 1\">\n<box pos=\"1e5 0 0\" size=\"1 1 1\"/><box pos=\"1e4 0 0\" size=\"1 1 1\"/></segment>",
+      "s.xml", {});
+  EXPECT_EQ(segment.boxes.size(), 1u);
+  EXPECT_EQ(listed(segment.problems),
+            "s.xml:2: <box> pos: the element is left out, got '1e5 0 0', expected numbers up to 10000\n");
+}
+
+TEST(Segment, AfterTooManySyntaxErrorsTheRestIsNotRead) {
+  std::string text = "<segment size=\"1 1 1\">\n";
+  for (int i = 0; i < 100; ++i) text += "</b>\n";
+  EXPECT_THAT(listed(readSegment(text, "s.xml", {}).problems),
+              HasSubstr("s.xml:53: XML: too many errors, the rest is not read"));
+}
+
 TEST(Segment, LegacyAttributesAreUnderstood) {
-  const Segment segment = readSegment("<segment size='1 1 1'><box pos='0 0 0' size='1 1 1' tileX='1' tileZ='3' colorY='.1 .2 .3'/></segment>", "l.xml", {});
+  const Segment segment = readSegment(
+      "<segment size='1 1 1'><box pos='0 0 0' size='1 1 1' tileX='1' tileZ='3' colorY='.1 .2 .3'/></segment>", "l.xml",
+      {});
   ASSERT_EQ(segment.boxes.size(), 1u);
   EXPECT_EQ(segment.boxes[0].tile, (std::array<int, 3>{1, 0, 3}));
   EXPECT_EQ(segment.boxes[0].color[1], Vec3(0.1f, 0.2f, 0.3f));
