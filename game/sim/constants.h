@@ -90,7 +90,10 @@ inline constexpr std::uint32_t kCategoryCrystal = 4;
 inline constexpr std::uint32_t kCategoryBall = 8;    // ours: the format leaves it open
 inline constexpr std::uint32_t kCategoryRoom = 128;  // what rays with mask 128 ask for
 
-// Scripts.
+// Scripts. Beyond these bounds of what they ask for single precision is of no use.
+inline constexpr float kFarthest = 10'000.0f;  // places and distances [m]
+inline constexpr float kMostAngle = 1e6f;      // [rad]
+inline constexpr float kMostSpeed = 1000.0f;   // [m/s], [rad/s]
 inline constexpr std::uint32_t kMaxBodiesPerObstacle = 256;
 inline constexpr std::uint32_t kMaxShapesPerObstacle = 1024;
 inline constexpr std::uint32_t kMaxObstaclesPerRoom = 4000;
@@ -100,6 +103,8 @@ inline constexpr int kCylinderSides = 12;
 inline constexpr float kButtonRadius = 0.2f;  // [m]
 inline constexpr float kLaserReach = 20.0f;   // [m]
 inline constexpr std::uint32_t kMaxSegmentsPerRoom = 400;
+inline constexpr std::uint32_t kMaxSolidsPerRoom =
+    20'000;                                         // boxes of all segments; a full room of the community has 1,000
 inline constexpr std::uint32_t kMaxProblems = 256;  // kept; the rest is counted
 
 }  // namespace brittle::sim::rules

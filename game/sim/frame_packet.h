@@ -30,7 +30,7 @@ struct Camera {
 struct LookBox {
   Vec3 center = Vec3::Zero();                                  // [m]
   Vec3 halfExtents = Vec3::Ones();                             // [m]
-  Vec3 color[3] = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};  // x, y and z faces, linear
+  Vec3 color[3] = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};  // x, y and z faces, sRGB as authored
   std::int32_t tile[3] = {0, 0, 0};                            // in the 8 x 8 atlas
   float tileSize[3] = {1.0f, 1.0f, 1.0f};                      // [m]
   std::int32_t tileRotation[3] = {0, 0, 0};                    // quarter turns
@@ -91,7 +91,7 @@ struct RoomView {
   std::uint64_t number = 0;  // counts up through the game
   std::int32_t ticks = 0;    // since the camera entered it, negative before: what its music is played by
   std::uint32_t slot = 0;    // 0 or 1: Game::meshes(slot); a new number in a slot means another pool: upload everything
-  Vec3 fogBottom = Vec3::Zero(), fogTop = Vec3::Zero();  // colours, linear, may leave [0, 1]
+  Vec3 fogBottom = Vec3::Zero(), fogTop = Vec3::Zero();  // sRGB as authored, may leave [0, 1]
   float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;

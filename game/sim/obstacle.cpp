@@ -119,15 +119,19 @@ void addCall(script::Library& library, const char* name, void (*native)(script::
   });
 }
 
-Vec3 readVector(script::Call& call, int first) {
+Vec3 readVector(script::Call& call, int first, float most) {
   const float x = call.real(first);
   const float y = call.real(first + 1);
   const float z = call.real(first + 2);
-  return Vec3(x, y, z);
+  const Vec3 vector(x, y, z);
+  if (!(vector.cwiseAbs().maxCoeff() <= most))
+    call.fail("arguments " + std::to_string(first) + " to " + std::to_string(first + 2) + ": expected numbers up to " +
+              std::to_string(static_cast<int>(most)));
+  return vector;
 }
 
-Vec3 readVector(script::Call& call, int first, const Vec3& otherwise) {
-  return call.has(first) ? readVector(call, first) : otherwise;
+Vec3 readVector(script::Call& call, int first, float most, const Vec3& otherwise) {
+  return call.has(first) ? readVector(call, first, most) : otherwise;
 }
 
 void answer(script::Call& call, const Vec3& vector) {

@@ -6,18 +6,18 @@
 
 namespace brittle::sim {
 
-void addShapeCalls(script::Library& library);    // materials, bodies, shapes
+void addShapeCalls(script::Library& library);  // materials, bodies, shapes
 void addJointCalls(script::Library& library);
-void addMotionCalls(script::Library& library);   // drives, velocities
-void addQueryCalls(script::Library& library);    // rays, poses, camera
-void addPlayCalls(script::Library& library);     // score, sound, time, parameters
+void addMotionCalls(script::Library& library);  // drives, velocities
+void addQueryCalls(script::Library& library);   // rays, poses, camera
+void addPlayCalls(script::Library& library);    // score, sound, time, parameters
 
 /// Adds a call whose native gets the obstacle; while the obstacle is muted the call does nothing and answers 0.
 void addCall(script::Library& library, const char* name, void (*native)(script::Call&, Obstacle&));
 
-/// Three numbers from argument `first` on; `otherwise` if the first of them is missing.
-Vec3 readVector(script::Call& call, int first);
-Vec3 readVector(script::Call& call, int first, const Vec3& otherwise);
+/// Three numbers from argument `first` on, none larger than `most`; `otherwise` if the first of them is missing.
+Vec3 readVector(script::Call& call, int first, float most);
+Vec3 readVector(script::Call& call, int first, float most, const Vec3& otherwise);
 void answer(script::Call& call, const Vec3& vector);
 /// About X, Y, Z, such that rotationXyz gives the rotation back.
 Vec3 anglesOf(const Quat& rotation);

@@ -17,10 +17,12 @@ bool readEnds(script::Call& call, Obstacle& obstacle, physics::BodyHandle& a, ph
   swapped = !a;
   if (swapped) std::swap(a, b);
   if (!a) call.fail("expected at least one body that has a shape");
+  if (a && a == b) call.fail("expected two bodies, got one twice");
   return !call.failed();
 }
 
-void create(script::Call& call, Obstacle& obstacle, physics::JointDef def, physics::BodyHandle a, physics::BodyHandle b) {
+void create(script::Call& call, Obstacle& obstacle, physics::JointDef def, physics::BodyHandle a,
+            physics::BodyHandle b) {
   physics::World& world = obstacle.room->world();
   if (obstacle.joints.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many joints");
   def.a = world.body(a).firstShape;  // the world picks the shape of the body that holds the anchor
@@ -35,8 +37,8 @@ template <physics::JointType type>
 void createPlain(script::Call& call, Obstacle& obstacle) {
   physics::BodyHandle a, b;
   bool swapped = false;
-  const Vec3 point = readVector(call, 3);
-  const Vec3 axis = readVector(call, 6, Vec3::UnitY());
+  const Vec3 point = readVector(call, 3, rules::kFarthest);
+  const Vec3 axis = readVector(call, 6, rules::kFarthest, Vec3::UnitY());
   if (!readEnds(call, obstacle, a, b, swapped)) return;
   physics::JointDef def;
   def.type = type;
@@ -48,8 +50,8 @@ void createPlain(script::Call& call, Obstacle& obstacle) {
 void createRope(script::Call& call, Obstacle& obstacle) {
   physics::BodyHandle a, b;
   bool swapped = false;
-  const Vec3 from = readVector(call, 3);
-  const Vec3 to = readVector(call, 6);
+  const Vec3 from = readVector(call, 3, rules::kFarthest);
+  const Vec3 to = readVector(call, 6, rules::kFarthest);
   const float stretch = call.real(9, 0.0f);
   if (!readEnds(call, obstacle, a, b, swapped)) return;
   physics::JointDef def;
@@ -64,7 +66,8 @@ void createRope(script::Call& call, Obstacle& obstacle) {
 const physics::JointHandle* readJoint(script::Call& call, Obstacle& obstacle) {
   const int number = call.integer(1);
   if (call.failed()) return nullptr;
-  if (number >= 1 && number <= static_cast<int>(obstacle.joints.size())) return &obstacle.joints[static_cast<std::size_t>(number) - 1];
+  if (number >= 1 && number <= static_cast<int>(obstacle.joints.size()))
+    return &obstacle.joints[static_cast<std::size_t>(number) - 1];
   call.fail("no joint " + std::to_string(number));
   return nullptr;
 }

@@ -67,7 +67,7 @@ void apply(script::Call& call, Obstacle& obstacle, ScriptBody& body) {
 
 void move(script::Call& call, Obstacle& obstacle) {
   ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 position = readVector(call, 2);
+  const Vec3 position = readVector(call, 2, rules::kFarthest);
   const float strength = call.real(5, 100.0f);
   const float maxSpeed = call.real(6, 50.0f);
   if (call.failed()) return;
@@ -80,7 +80,7 @@ void move(script::Call& call, Obstacle& obstacle) {
 
 void rotate(script::Call& call, Obstacle& obstacle) {
   ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 angles = readVector(call, 2);
+  const Vec3 angles = readVector(call, 2, rules::kMostAngle);
   const float strength = call.real(5, 100.0f);
   const float maxSpeed = call.real(6, 50.0f);
   if (call.failed()) return;
@@ -102,7 +102,7 @@ void releaseMotion(script::Call& call, Obstacle& obstacle) {
 template <bool angular>
 void setVelocity(script::Call& call, Obstacle& obstacle) {
   ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 value = readVector(call, 2);
+  const Vec3 value = readVector(call, 2, rules::kMostSpeed);
   if (call.failed()) return;
   physics::World& world = obstacle.room->world();
   const physics::BodyHandle handle = currentBody(obstacle, *body);
@@ -119,7 +119,9 @@ void clonePose(script::Call& call, Obstacle& obstacle) {
   physics::World& world = obstacle.room->world();
   const physics::BodyHandle target = currentBody(obstacle, *to);
   const physics::BodyHandle source = currentBody(obstacle, *from);
-  if (target && source) world.setPose(target, world.body(source).pose);
+  if (!target || !source) return;
+  const Transform& pose = world.body(source).pose;
+  if (pose.position.cwiseAbs().maxCoeff() <= rules::kFarthest) world.setPose(target, pose);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void clear(script::Call&, Obstacle& obstacle) {
 }
 
 void createButton(script::Call& call, Obstacle& obstacle) {
-  const Vec3 position = readVector(call, 1);
+  const Vec3 position = readVector(call, 1, rules::kFarthest);
   if (call.failed()) return;
   if (obstacle.bodies.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many bodies");
   ScriptBody body;
@@ -67,8 +67,8 @@ void setButtonDown(script::Call& call, Obstacle& obstacle) {
 
 /// A beam that ends at the first thing in its way and hurts when it meets the camera.
 void laser(script::Call& call, Obstacle& obstacle) {
-  const Vec3 from = readVector(call, 1);
-  const Vec3 way = readVector(call, 4);
+  const Vec3 from = readVector(call, 1, rules::kFarthest);
+  const Vec3 way = readVector(call, 4, rules::kFarthest);
   if (call.failed()) return;
   call.charge(200);
   const Vec3 start = obstacle.pose().toWorld(from);

@@ -12,8 +12,8 @@ namespace {
 
 /// Answers the body (false if nothing was hit) and the point where the ray ends.
 void raycast(script::Call& call, Obstacle& obstacle) {
-  const Vec3 from = readVector(call, 1);
-  const Vec3 to = readVector(call, 4);
+  const Vec3 from = readVector(call, 1, rules::kFarthest);
+  const Vec3 to = readVector(call, 4, rules::kFarthest);
   const int mask = call.integer(7, 0x7fffffff);
   if (call.failed()) return;
   call.charge(200);
@@ -48,7 +48,7 @@ void getRotation(script::Call& call, Obstacle& obstacle) {
 template <bool isPoint>
 void bodyToWorld(script::Call& call, Obstacle& obstacle) {
   const ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 value = readVector(call, 2);
+  const Vec3 value = readVector(call, 2, rules::kFarthest);
   if (call.failed()) return;
   const Transform pose = poseOf(obstacle, *body);
   answer(call, isPoint ? pose.toWorld(value) : pose.rotate(value));
@@ -56,7 +56,7 @@ void bodyToWorld(script::Call& call, Obstacle& obstacle) {
 
 void bodyContainsPoint(script::Call& call, Obstacle& obstacle) {
   const ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 point = readVector(call, 2);
+  const Vec3 point = readVector(call, 2, rules::kFarthest);
   if (call.failed()) return;
   const physics::World& world = obstacle.room->world();
   const physics::BodyHandle handle = currentBody(obstacle, *body);
@@ -64,7 +64,8 @@ void bodyContainsPoint(script::Call& call, Obstacle& obstacle) {
   if (handle) {
     const Transform pose = world.body(handle).pose;
     for (physics::ShapeHandle s = world.body(handle).firstShape; s; s = world.shape(s).next)
-      inside = inside || geometry::containsPoint(physics::proxyOf(world.shape(s), world.meshes()), pose, obstacle.pose().toWorld(point));
+      inside = inside || geometry::containsPoint(physics::proxyOf(world.shape(s), world.meshes()), pose,
+                                                 obstacle.pose().toWorld(point));
   }
   call.result(inside);
 }
@@ -72,12 +73,14 @@ void bodyContainsPoint(script::Call& call, Obstacle& obstacle) {
 const ScriptShape* readShape(script::Call& call, Obstacle& obstacle) {
   const int number = call.integer(1);
   if (call.failed()) return nullptr;
-  if (number >= 1 && number <= static_cast<int>(obstacle.shapes.size())) return &obstacle.shapes[static_cast<std::size_t>(number) - 1];
+  if (number >= 1 && number <= static_cast<int>(obstacle.shapes.size()))
+    return &obstacle.shapes[static_cast<std::size_t>(number) - 1];
   call.fail("no shape " + std::to_string(number));
   return nullptr;
 }
 
-/// A shape's body changes when a piece splits off: the usual test for "is it broken off". 0 once nothing of the shape is left whole.
+/// A shape's body changes when a piece splits off: the usual test for "is it broken off". 0 once nothing of the shape
+/// is left whole.
 void getShapeBody(script::Call& call, Obstacle& obstacle) {
   const ScriptShape* shape = readShape(call, obstacle);
   if (call.failed()) return;

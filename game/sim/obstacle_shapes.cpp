@@ -52,8 +52,8 @@ void strengthen(physics::World& world, ScriptBody& body, physics::Breakable brea
 
 void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, int firstPlaceArgument) {
   ScriptBody* body = readBody(call, obstacle, 1);
-  const Vec3 offset = readVector(call, firstPlaceArgument, Vec3::Zero());
-  const Vec3 angles = readVector(call, firstPlaceArgument + 3, Vec3::Zero());
+  const Vec3 offset = readVector(call, firstPlaceArgument, rules::kFarthest, Vec3::Zero());
+  const Vec3 angles = readVector(call, firstPlaceArgument + 3, rules::kMostAngle, Vec3::Zero());
   if (call.failed() || body == nullptr) return;
   if (obstacle.shapes.size() >= rules::kMaxShapesPerObstacle) return call.fail("too many shapes");
   const Pen& pen = obstacle.pen;
@@ -90,8 +90,8 @@ float sizeArgument(script::Call& call, int index) {
 }
 
 void createBody(script::Call& call, Obstacle& obstacle) {
-  const Vec3 position = readVector(call, 1, Vec3::Zero());
-  const Vec3 angles = readVector(call, 4, Vec3::Zero());
+  const Vec3 position = readVector(call, 1, rules::kFarthest, Vec3::Zero());
+  const Vec3 angles = readVector(call, 4, rules::kMostAngle, Vec3::Zero());
   if (call.failed()) return;
   if (obstacle.bodies.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many bodies");
   ScriptBody body;

@@ -29,6 +29,7 @@ struct Builder {
   int last = -1;  // the choice made last
   Vec3 boxColor = Vec3::Ones();
   int boxTile = 0;
+  std::size_t solids = 0;  // of all segments
 };
 
 using Native = void (*)(script::Call&, Builder&);
@@ -47,12 +48,16 @@ Vec3 vectorAt(script::Call& call, int first) {
 void segment(script::Call& call, Builder& builder) {
   const std::string name = call.string(1);
   const float start = call.has(2) ? -call.real(2) : builder.placed;
+  call.charge(500);  // a file may have to be found and read
   if (call.failed()) return;
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many segments");
   if (!(start > -1000.0f && start < 10000.0f))
     return call.fail("place " + std::to_string(start) + ": expected -1000 to 10000");
+  const std::size_t before = builder.plan.segments.size();
   const float length = placeSegment(builder.session, name, start, call.where(), builder.plan);
   builder.placed = maxOf(builder.placed, start + length);
+  if (builder.plan.segments.size() > before) builder.solids += builder.plan.segments.back().solids.size();
+  if (builder.solids > rules::kMaxSolidsPerRoom) return call.fail("too many boxes");
   call.result(length);
 }
 
@@ -60,12 +65,12 @@ void confSegment(script::Call& call, Builder& builder) {
   Choice choice;
   choice.name = call.string(1);
   choice.weight = call.number(2, 1.0);
-  choice.left = call.integer(3, 1000);
+  choice.left = maxOf(call.integer(3, 1000), 0);
   if (!call.failed() && choice.weight > 0.0 && builder.choices.size() < 1000) builder.choices.push_back(choice);
 }
 
-/// Weighted, never the same twice in a row unless there is no other. All used up: they start again, so that a room is
-/// always filled.
+/// Weighted, never the same twice in a row unless there is no other. All used up: the last one goes on, so that a room
+/// is always filled.
 void nextSegment(script::Call& call, Builder& builder) {
   if (builder.choices.empty()) return call.fail("no segment has been offered with confSegment");
   double total = 0.0;
@@ -81,7 +86,7 @@ void nextSegment(script::Call& call, Builder& builder) {
     if (draw < sum) break;
   }
   builder.last = static_cast<int>(picked);
-  --builder.choices[picked].left;
+  if (builder.choices[picked].left > 0) --builder.choices[picked].left;
   call.result(script::Value(builder.choices[picked].name));
 }
 
@@ -109,6 +114,9 @@ void obstacle(script::Call& call, Builder& builder) {
     }
   }
   if (call.failed()) return;
+  if (!(def.position.cwiseAbs().maxCoeff() <= rules::kFarthest &&
+        def.rotation.cwiseAbs().maxCoeff() <= rules::kMostAngle))
+    return call.fail("expected a place within 10000 m and angles within 1e6");
   const std::size_t made = builder.plan.obstacles.size() + builder.plan.segments.size();
   if (made >= rules::kMaxObstaclesPerRoom) return call.fail("too many obstacles");
   if (def.type == kStone) return placeBox(stoneLook(def), false, builder.plan);
@@ -120,7 +128,8 @@ void box(script::Call& call, Builder& builder) {
   const Vec3 center = vectorAt(call, 4);
   if (call.failed()) return;
   if (!(half.minCoeff() > 0.001f && half.maxCoeff() < 5000.0f))
-    return call.fail("box: half extents from 0.001 to 5000 expected");
+    return call.fail("half extents: expected 0.001 to 5000");
+  if (!(center.cwiseAbs().maxCoeff() <= rules::kFarthest)) return call.fail("expected a place within 10000 m");
   if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many boxes");
   LookBox seen;
   seen.center = center;
@@ -330,7 +339,7 @@ const script::Library& roomLibrary() {
 
 RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
                   std::map<std::string, std::string>& globals) {
-  Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0};
+  Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0, 0};
   script::Sandbox sandbox(roomLibrary(), seed, {}, &builder);
   const std::string path = "rooms/" + entry.type + ".lua";
   const Result<std::string> include = session.files.text("rooms/include.lua");

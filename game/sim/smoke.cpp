@@ -12,9 +12,10 @@ namespace {
 
 /// Named arguments are tables, which stay inside Lua: unpacked here into plain numbers.
 constexpr const char* kPrelude = R"(
-function throw(t) smokeThrow(t.tick or -1, t.x or 0, t.y or 0) end
-function expect_position(t) smokePosition(t.z, t.within or 0.01) end
-function expect_speed(t) smokeSpeed(t.v, t.within or 0.01) end
+local throwAt, positionIs, speedIs = throw, expect_position, expect_speed
+function throw(t) throwAt(t.tick or -1, t.x or 0, t.y or 0) end
+function expect_position(t) positionIs(t.z, t.within or 0.01) end
+function expect_speed(t) speedIs(t.v, t.within or 0.01) end
 )";
 
 constexpr std::int64_t kInstructions = 500'000'000;  // of a script: a player that looks ten times a second for hours
@@ -54,7 +55,8 @@ void throwBall(script::Call& call, Smoke& smoke) {
   const std::uint64_t at = tick < 0.0 ? now : static_cast<std::uint64_t>(tick);
   if (at < now || at > kLongestRun)
     return call.fail("tick " + smokeText(tick) + ": expected " + smokeText(static_cast<double>(now)) + " or later");
-  smoke.throwAt(at, replay::quantizeAim(x, y));
+  if (!smoke.throwAt(at, replay::quantizeAim(x, y)))
+    call.fail("tick " + smokeText(static_cast<double>(at)) + ": more than 8 throws");
 }
 
 /// Plays until the tick of argument 1; false if the call failed.
@@ -69,6 +71,7 @@ Game* runTo(script::Call& call, Smoke& smoke) {
 }
 
 void restoreAt(script::Call& call, Smoke& smoke) {
+  call.charge(1'000'000);  // a whole game is written, made and read
   Game* game = runTo(call, smoke);
   if (game == nullptr) return;
   const bool same = smoke.saveAndRestore(*game);
@@ -134,10 +137,10 @@ void addExpectations(script::Library& library) {
   addSmokeCall(library, "expect_room", [](script::Call& call, Smoke& s) {
     expectRange(call, s, "expect_room", [](const Game& g) { return static_cast<double>(g.roomNumber()); });
   });
-  addSmokeCall(library, "smokePosition", [](script::Call& call, Smoke& s) {
+  addSmokeCall(library, "expect_position", [](script::Call& call, Smoke& s) {
     expectNear(call, s, "expect_position", [](const Game& g) { return static_cast<double>(g.roomDistance()); });
   });
-  addSmokeCall(library, "smokeSpeed", [](script::Call& call, Smoke& s) {
+  addSmokeCall(library, "expect_speed", [](script::Call& call, Smoke& s) {
     expectNear(call, s, "expect_speed", [](const Game& g) { return static_cast<double>(g.camera().velocity.norm()); });
   });
   addSmokeCall(library, "expect_problems", [](script::Call& call, Smoke& s) {
@@ -164,7 +167,7 @@ const script::Library& smokeLibrary() {
     addSetup(made);
     addExpectations(made);
     addPlayerCalls(made);
-    addSmokeCall(made, "smokeThrow", throwBall);
+    addSmokeCall(made, "throw", throwBall);
     addSmokeCall(made, "run", [](script::Call& call, Smoke& s) { runTo(call, s); });
     addSmokeCall(made, "restore_at", restoreAt);
     return made;
@@ -182,11 +185,11 @@ std::string smokeText(double value) {
 
 SmokeResult runSmoke(const content::AssetSource& assets, const std::string& name, const std::string& source,
                      const SmokeSettings& settings) {
-  Smoke smoke(assets, name, settings);
+  Smoke smoke(assets, settings);
   script::Limits limits;
   limits.instructions = kInstructions;
   script::Sandbox sandbox(smokeLibrary(), smoke.result.def.seed, limits, &smoke);
-  const Status prelude = sandbox.load(kPrelude, "smoke prelude");
+  const Status prelude = sandbox.load(kPrelude, "");
   BR_ASSERT(static_cast<bool>(prelude));
   const Status loaded = sandbox.load(source, name);
   smoke.finish();

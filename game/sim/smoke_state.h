@@ -15,8 +15,8 @@ inline constexpr std::uint64_t kLongestRun = 200'000;  // [ticks]: nearly an hou
 
 class Smoke {
  public:
-  Smoke(const content::AssetSource& assets, const std::string& name, const SmokeSettings& smokeSettings)
-      : settings(smokeSettings), assets_(assets), name_(name) {
+  Smoke(const content::AssetSource& assets, const SmokeSettings& smokeSettings)
+      : settings(smokeSettings), assets_(assets) {
     result.def.accuracy = settings.accuracy;
     if (settings.seed) result.def.seed = *settings.seed;
   }
@@ -33,9 +33,12 @@ class Smoke {
     game_ = std::move(*made);
     return game_.get();
   }
-  void throwAt(std::uint64_t tick, const replay::Throw& aim) {
+  /// False if the tick has as many throws as an input frame holds.
+  bool throwAt(std::uint64_t tick, const replay::Throw& aim) {
     if (throws_.size() <= tick) throws_.resize(tick + 1);
+    if (throws_[tick].size() >= static_cast<std::size_t>(replay::kMaxThrows)) return false;
     throws_[tick].push_back(aim);
+    return true;
   }
   void run(Game& game, std::uint64_t until) {
     while (game.tickCount() < until) {
@@ -58,8 +61,8 @@ class Smoke {
   void check(script::Call& call, const char* what, bool holds, const std::string& found, const std::string& expected) {
     ++result.checks;
     if (holds) return;
-    const std::string place = call.file() == name_ ? call.where() : name_;
-    result.failures.push_back({game_->tickCount(), place + ": " + what + ": " + found + ", expected " + expected});
+    result.failures.push_back(
+        {game_->tickCount(), call.where() + ": " + what + ": " + found + ", expected " + expected});
   }
   void finish() {
     if (!game_) return;
@@ -75,7 +78,6 @@ class Smoke {
 
  private:
   const content::AssetSource& assets_;
-  std::string name_;
   std::unique_ptr<Game> game_;
   std::vector<std::vector<replay::Throw>> throws_;
 };

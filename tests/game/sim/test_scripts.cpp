@@ -224,8 +224,19 @@ function tick()
                                "mgTranslateShape(mgCreateBox(b,1,1,1), 1e9, 0, 0)",
                                "mgSetShapeMask(1, 'all')",
                                "mgSetShapeMask()",
-                               "mgGetJointBodies(1)",
-                               "mgScore()"};
+                                                              "mgGetJointBodies(1)",
+                               "mgScore()",
+                               "mgCreateBody(1e5, 0, 0)",
+                               "mgCreateBody(0, 0, 0, 1e7, 0, 0)",
+                               "mgCreateBox(b, 1, 1, 1, 1e5, 0, 0)",
+                               "mgCreateButton(1e6, 0, 0)",
+                               "mgCreateBox(b, 1, 1, 1) mgCreateHingeJoint(b, b, 0,0,0, 0,1,0)",
+                               "mgCreateBox(b, 1, 1, 1) mgCreateRope(b, b, 0,0,0, 0,1,0)",
+                               "mgCreateBox(b, 1, 1, 1) mgRotate(b, 1e9, 0, 0)",
+                               "mgCreateBox(b, 1, 1, 1) mgMove(b, 0, 1e15, 0)",
+                               "mgCreateBox(b, 1, 1, 1) mgSetVel(b, 1e4, 0, 0)",
+                               "mgRaycast(0, 0, 0, 0, 0, -1e15)",
+                               "mgLaser(1e15, 0, 0, 1, 0, 0)"};
   for (const char* call : calls) {
     const content::MemorySource wrong =
         withObstacle(std::string("function init() b = mgCreateBody() ") + call + " end");
@@ -303,6 +314,20 @@ TEST(Scripts, AHangingPaneHangs) {
     EXPECT_NEAR(std::min(rope.from.y(), rope.to.y()), 2.2f, 0.1f);
     EXPECT_NEAR(std::max(rope.from.y(), rope.to.y()), 4.0f, 0.01f);
   }
+}
+
+TEST(Scripts, ASegmentThatIsUsedUpGoesOnForEver) {
+  const content::MemorySource source = oneRoom(
+      "", 100.0f,
+      "confSegment('test/corridor', 1, -2147483647) for i = 1, 9 do mgSegment(nextSegment()) end mgLength(100)");
+  EXPECT_TRUE(newTestGame(source)->problems().empty());
+}
+
+TEST(Scripts, MoreBoxesThanARoomHoldsAreRefused) {
+  std::string boxes;
+  for (int i = 0; i < 300; ++i) boxes += "<box pos=\"0 -9 -1\" size=\"1 1 1\"/>";
+  const content::MemorySource source = oneRoom(boxes, 100.0f, "for i = 0, 399 do mgSegment('test/corridor', -i) end");
+  EXPECT_TRUE(hasProblem(*newTestGame(source), "mgSegment: too many boxes"));
 }
 
 TEST(Scripts, ScriptStateComesBackFromASnapshot) {
