@@ -1,6 +1,11 @@
 #include "engine/runtime/loop.h"
 
 namespace brittle::runtime {
+namespace {
+
+constexpr double kShortestFrame = 1.0 / 250.0;  // [s]
+
+}  // namespace
 
 Loop::Loop(Platform& platform, Client& client)
     : platform_(platform), client_(client), lastSeconds_(platform.seconds()) {}
@@ -8,8 +13,10 @@ Loop::Loop(Platform& platform, Client& client)
 bool Loop::frame() {
   handleEvents();
   for (int due = ticksDue(); due > 0; --due) client_.tick(input_.take());
-  client_.draw(step_.alpha(), platform_.size(), paused_);
+  client_.draw(step_.alpha(), platform_.size(), isPaused());
   platform_.swap();
+  // Where the display does not hold frames back, nothing else would.
+  platform_.sleep(kShortestFrame - (platform_.seconds() - lastSeconds_));
   return !quit_ && !client_.isDone();
 }
 
@@ -18,7 +25,7 @@ int Loop::ticksDue() {
   const double now = platform_.seconds();
   const double elapsed = now - lastSeconds_;
   lastSeconds_ = now;
-  return paused_ ? 0 : step_.advance(elapsed);
+  return isPaused() ? 0 : step_.advance(elapsed);
 }
 
 void Loop::handleEvents() {
@@ -31,16 +38,16 @@ void Loop::handleEvents() {
     if (event.kind == EventKind::Quit || leaves) {
       quit_ = true;
     } else if (event.kind == EventKind::FocusLost) {
-      paused_ = true;
+      isAway_ = true;
       input_.clear();
     } else if (event.kind == EventKind::FocusGained) {
-      paused_ = false;
+      isAway_ = false;
     } else if (pressed && event.key == Key::Character && event.character == 'p') {
       paused_ = !paused_;
-    } else if (!paused_) {
+    } else if (!isPaused()) {
       input_.add(event);
     } else if (event.kind == EventKind::PointerDown) {
-      paused_ = false;  // the touch that comes back to the game is not a throw
+      paused_ = isAway_ = false;  // the touch that comes back to the game is not a throw
     }
   }
 }

@@ -28,7 +28,8 @@ class Loop {
   Loop(Platform& platform, Client& client);
   /// One frame. False when the window was closed or the client is done.
   bool frame();
-  bool isPaused() const { return paused_; }
+  /// By the user, or because the window lost its focus.
+  bool isPaused() const { return paused_ || isAway_; }
 
  private:
   void handleEvents();
@@ -40,7 +41,7 @@ class Loop {
   InputCollector input_;
   std::vector<Event> events_;
   double lastSeconds_;
-  bool paused_ = false;
+  bool paused_ = false, isAway_ = false;
   bool quit_ = false;
 };
 

@@ -107,7 +107,8 @@ void addPain(const sim::Hud& hud, render::Frame& frame) {
 
 }  // namespace
 
-void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame) {
+void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame,
+            bool paused) {
   const sim::Hud& hud = packet.hud;
   const float lost =
       1.0f -
@@ -122,7 +123,10 @@ void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, f
     addProgress(hud, frame);
     addFlights(packet, memory, tick, aspect, frame);
   }
-  addScreens(packet, memory, tick, frame);
+  if (paused)
+    addPause(frame);
+  else
+    addScreens(packet, memory, tick, frame);
 }
 
 }  // namespace brittle::view

@@ -7,6 +7,7 @@
 namespace brittle::view {
 
 /// `tick` is the moment seen, which may lie between two ticks; `aspect` the picture's width over its height.
-void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame);
+void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame,
+            bool paused = false);
 
 }  // namespace brittle::view

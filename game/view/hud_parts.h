@@ -35,6 +35,8 @@ void addSign(const render::HudPoint& at, float height, const render::Rgb& color,
 
 // The parts of addHud that have files of their own.
 void addScreens(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame);
+/// In place of the screens: play has stopped, and goes on at a touch.
+void addPause(render::Frame& frame);
 void addFlights(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame);
 
 }  // namespace brittle::view::hud

@@ -105,6 +105,12 @@ void addEnd(const sim::Hud& hud, float age, double tick, render::Frame& frame) {
 
 }  // namespace
 
+void addPause(render::Frame& frame) {
+  frame.tint = Vec4(0.03f, 0.06f, 0.10f, 0.45f);
+  addSign(middle(0.45f), 0.078f, kInk, 1.0f, "PAUSED", frame);
+  addSign(middle(0.56f), 0.027f, kInk, 0.8f, "TAP TO GO ON", frame);
+}
+
 void addScreens(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
   const sim::Hud& hud = packet.hud;
   const float phaseAge =

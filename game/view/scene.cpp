@@ -117,7 +117,7 @@ void Scene::addThings() {
     frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, render::kWhite});
 }
 
-const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools) {
+const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused) {
   interpolate(before_, now_, alpha, seen_);
   const double tick = static_cast<double>(now_.tick) - 1.0 + static_cast<double>(clampTo(alpha, 0.0f, 1.0f));
   frame_.clear();
@@ -133,7 +133,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   addDecals(seen_, memory_, tick, frame_);
   addAir(seen_, tick, frame_);
   addParticles(seen_, memory_, tick, frame_);
-  addHud(seen_, memory_, tick, aspect, frame_);
+  addHud(seen_, memory_, tick, aspect, frame_, paused);
   return frame_;
 }
 

@@ -26,7 +26,7 @@ class Scene {
   /// The picture `alpha` of the way (0 to 1) between the last two ticks. Depends on the packets of the last
   /// kMemoryTicks ticks, the pools and the arguments only. The frame points into `pools`: draw it before the game goes
   /// on. `aspect`: width over height.
-  const render::Frame& build(float alpha, float aspect, const MeshPools& pools);
+  const render::Frame& build(float alpha, float aspect, const MeshPools& pools, bool paused = false);
 
  private:
   void addRooms(const MeshPools& pools);

@@ -50,12 +50,12 @@ void Picture::restarted() {
   parts_->scene->reset();
 }
 
-void Picture::draw(sim::Game& game, float alpha, runtime::PictureSize size, bool) {
+void Picture::draw(sim::Game& game, float alpha, runtime::PictureSize size, bool paused) {
   if (size.width < 1 || size.height < 1) return;  // a window that is minimised
   if (!(size == parts_->size)) parts_->renderer->resize(size.width, size.height);
   parts_->size = size;
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  parts_->renderer->draw(parts_->scene->build(alpha, aspect, {game.meshes(0), game.meshes(1)}));
+  parts_->renderer->draw(parts_->scene->build(alpha, aspect, {game.meshes(0), game.meshes(1)}, paused));
 }
 
 render::Image Picture::readBack() {

@@ -16,10 +16,12 @@ class MadeUpPlatform : public Platform {
   GlLoader glLoader() const override { return nullptr; }
   bool hasDefaultFramebuffer() const override { return true; }
   double seconds() const override { return now; }
-  void sleep(double) override {}
+  void sleep(double seconds) override {
+    if (seconds > 0.0) slept += seconds;
+  }
 
   std::vector<Event> waiting;
-  double now = 100.0;
+  double now = 100.0, slept = 0.0;
   int swaps = 0;
 };
 
@@ -116,6 +118,20 @@ TEST_F(LoopTest, LosingFocusPausesWithoutATickAndWithAPicture) {
   platform.waiting = {of(EventKind::FocusGained)};
   frame();
   EXPECT_EQ(client.inputs.size(), 2u) << "the time away is not made up for";
+}
+
+TEST_F(LoopTest, ComingBackDoesNotEndThePauseOfTheUser) {
+  platform.waiting = {key('p'), of(EventKind::FocusLost), of(EventKind::FocusGained)};
+  frame();
+  EXPECT_TRUE(loop.isPaused());
+  platform.waiting = {key('p')};
+  frame();
+  EXPECT_FALSE(loop.isPaused());
+}
+
+TEST_F(LoopTest, SleepsWhereTheDisplayDoesNotHoldFramesBack) {
+  frame();
+  EXPECT_NEAR(platform.slept, 1.0 / 250.0, 1e-9);
 }
 
 TEST_F(LoopTest, TheTouchThatEndsAPauseIsNotAThrow) {

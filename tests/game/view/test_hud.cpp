@@ -15,15 +15,15 @@ using ::testing::Not;
 constexpr float kAspect = 16.0f / 9.0f;
 constexpr int kStreakParts = 10;
 
-render::Frame hudOf(const sim::FramePacket& packet, const Memory& memory = {}) {
+render::Frame hudOf(const sim::FramePacket& packet, const Memory& memory = {}, bool paused = false) {
   render::Frame frame;
-  addHud(packet, memory, static_cast<double>(packet.tick), kAspect, frame);
+  addHud(packet, memory, static_cast<double>(packet.tick), kAspect, frame, paused);
   return frame;
 }
 
-std::vector<std::string> textsOf(const sim::FramePacket& packet, const Memory& memory = {}) {
+std::vector<std::string> textsOf(const sim::FramePacket& packet, const Memory& memory = {}, bool paused = false) {
   std::vector<std::string> texts;
-  for (const render::HudText& text : hudOf(packet, memory).texts) texts.push_back(text.text);
+  for (const render::HudText& text : hudOf(packet, memory, paused).texts) texts.push_back(text.text);
   return texts;
 }
 
@@ -198,6 +198,14 @@ TEST(Hud, SaysHowItEnded) {
   EXPECT_THAT(textsOf(packet), Contains("CHECKPOINT"));
   EXPECT_THAT(textsOf(packet), Contains("31"));
   EXPECT_GT(hudOf(packet).tint.w(), 0.2f);
+}
+
+TEST(Hud, APauseSaysSoOverADarkenedPicture) {
+  sim::FramePacket packet = playingAt(1000);
+  EXPECT_THAT(textsOf(packet, {}, true), Contains("PAUSED"));
+  EXPECT_GT(hudOf(packet, {}, true).tint.w(), 0.3f);
+  packet.hud.phase = sim::Phase::GameOver;
+  EXPECT_THAT(textsOf(packet, {}, true), Not(Contains("OUT OF BALLS")));
 }
 
 }  // namespace
