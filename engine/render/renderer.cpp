@@ -135,7 +135,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Gl& gl, const RendererDef& de
   std::unique_ptr<Parts> parts(new Parts(gl, def, std::move(*passes)));
   std::unique_ptr<Renderer> renderer(new Renderer(std::move(parts)));
   renderer->setMaterials(builtInMaterials());
-  renderer->resize(def.width, def.height);
+  if (!renderer->makeTarget(def.width, def.height))
+    return Error{"a picture of " + std::to_string(def.width) + " x " + std::to_string(def.height) +
+                 " pixels: larger than the driver can make"};
   return renderer;
 }
 
@@ -144,10 +146,16 @@ void Renderer::setMaterials(std::span<const Material> materials) {
   parts_->passes->setMaterials(makeMaterialUniforms(materials));
 }
 
-void Renderer::resize(int width, int height) {
+bool Renderer::makeTarget(int width, int height) {
   BR_ASSERT(width > 0 && height > 0 && width <= kMaxPicture && height <= kMaxPicture);
   parts_->target.reset();  // first, so that both never take memory at once
   parts_->target = std::make_unique<Target>(parts_->gl, width, height, parts_->def.samples, parts_->def.offscreen);
+  return parts_->target->isComplete();
+}
+
+void Renderer::resize(int width, int height) {
+  const bool isMade = makeTarget(width, height);
+  BR_ASSERT(isMade);
 }
 
 StaticId Renderer::createStatic(std::span<const StaticVertex> vertices, std::span<const std::uint32_t> indices,

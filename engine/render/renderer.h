@@ -42,7 +42,8 @@ struct FrameCounters {
 
 class Renderer {
  public:
-  /// Fails with one line if the context is too old or a shader does not compile. `gl` must outlive the renderer.
+  /// Fails with one line if the context is too old, a shader does not compile or the picture is too large. `gl` must
+  /// outlive the renderer.
   static Result<std::unique_ptr<Renderer>> create(Gl& gl, const RendererDef& def);
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -68,6 +69,7 @@ class Renderer {
  private:
   struct Parts;
   explicit Renderer(std::unique_ptr<Parts> parts);
+  bool makeTarget(int width, int height);
   std::unique_ptr<Parts> parts_;
 };
 

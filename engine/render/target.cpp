@@ -31,13 +31,17 @@ Target::Target(const Gl& gl, int width, int height, int samples, bool offscreen)
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
   sceneDepth_ = makeRenderbuffer(kDepthFormat, GL_DEPTH_ATTACHMENT, samples_);
-  BR_ASSERT(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+  checkComplete();
   if (offscreen) {
     picture_ = GlFramebuffer(gl_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, picture_.name());
     pictureColor_ = makeRenderbuffer(GL_RGBA8, GL_COLOR_ATTACHMENT0, 0);
-    BR_ASSERT(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    checkComplete();
   }
+}
+
+void Target::checkComplete() {
+  isComplete_ = isComplete_ && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 GlRenderbuffer Target::makeRenderbuffer(GLenum format, GLenum attachment, int samples) const {

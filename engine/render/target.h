@@ -15,6 +15,8 @@ class Target {
   /// `offscreen`: the finished picture gets a framebuffer of its own instead of framebuffer 0.
   Target(const Gl& gl, int width, int height, int samples, bool offscreen);
 
+  /// Whether the driver had the memory for it: of no use otherwise.
+  bool isComplete() const { return isComplete_; }
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -40,10 +42,12 @@ class Target {
   static constexpr int kSmall = 4;
   Copy makeCopy(GLenum format, GLenum attachment, int width, int height) const;
   void blit(Copy& copy, GLenum format, GLbitfield what, GLint unit);
+  void checkComplete();
   GlRenderbuffer makeRenderbuffer(GLenum format, GLenum attachment, int samples) const;
 
   const Gl& gl_;
   int width_, height_, samples_;
+  bool isComplete_ = true;
   Copy scene_;  // without multisampling its colour is a texture
   GlRenderbuffer sceneColor_, sceneDepth_;
   Copy colorCopy_, depthCopy_, resolved_;

@@ -203,6 +203,13 @@ TEST_F(RendererOnNull, GoesOnWithoutAPassWhoseShaderFails) {
   EXPECT_EQ(null_.draws().size(), 4u);
 }
 
+TEST_F(RendererOnNull, SaysThatAPictureIsTooLarge) {
+  null_.table().CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT; };
+  const auto made = Renderer::create(null_.table(), {.width = 16384, .height = 16384});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().message, "a picture of 16384 x 16384 pixels: larger than the driver can make");
+}
+
 TEST_F(RendererOnNull, FailsWithTheShadersMessage) {
   null_.failNextShader("no such thing");
   const auto made = Renderer::create(null_.table(), {});
