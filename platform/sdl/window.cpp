@@ -15,6 +15,8 @@ class Session {
  public:
   bool start() {
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // touches are touches; the translator drops what still comes
+    SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, driversThatShow().c_str(),
+                            SDL_HINT_DEFAULT);  // the user's own word counts more
     isOn_ = SDL_InitSubSystem(SDL_INIT_VIDEO | SDL_INIT_TIMER) == 0;
     return isOn_;
   }
@@ -23,6 +25,20 @@ class Session {
   }
 
  private:
+  /// Where no display answers SDL would fall back to drivers that show nothing: the game would run on where nobody can
+  /// see or end it.
+  static std::string driversThatShow() {
+    std::string names;
+    for (int i = 0; i < SDL_GetNumVideoDrivers(); ++i) {
+      const std::string name = SDL_GetVideoDriver(i);
+      const bool isUnasked =
+          name == "wayland" && SDL_getenv("WAYLAND_DISPLAY") == nullptr;  // its library complains aloud
+      if (name != "offscreen" && name != "dummy" && name != "evdev" && !isUnasked)
+        names += (names.empty() ? "" : ",") + name;
+    }
+    return names;
+  }
+
   bool isOn_ = false;
 };
 
@@ -54,7 +70,8 @@ class Window : public runtime::Platform {
   runtime::GlLoader glLoader() const override { return SDL_GL_GetProcAddress; }
   bool hasDefaultFramebuffer() const override { return true; }
   double seconds() const override {
-    return static_cast<double>(SDL_GetPerformanceCounter() - start_) / static_cast<double>(SDL_GetPerformanceFrequency());
+    return static_cast<double>(SDL_GetPerformanceCounter() - start_) /
+           static_cast<double>(SDL_GetPerformanceFrequency());
   }
   void sleep(double seconds) override {
     if (seconds > 0.0) SDL_Delay(static_cast<Uint32>(seconds * 1000.0));
@@ -74,7 +91,9 @@ class Window : public runtime::Platform {
   Uint64 start_ = SDL_GetPerformanceCounter();
 };
 
-Error sdlError(const std::string& what) { return {what + ": " + SDL_GetError()}; }
+Error sdlError(const std::string& what) {
+  return {what + ": " + SDL_GetError()};
+}
 
 Status Window::open(const WindowDef& def) {
   if (!session_.start()) {
@@ -87,7 +106,8 @@ Status Window::open(const WindowDef& def) {
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);  // depth lives in the renderer's own framebuffers
   Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
   if (def.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-  window_ = SDL_CreateWindow(def.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, def.size.width, def.size.height, flags);
+  window_ = SDL_CreateWindow(def.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, def.size.width,
+                             def.size.height, flags);
   if (window_ == nullptr) return sdlError("no window");
   context_ = SDL_GL_CreateContext(window_);
   if (context_ == nullptr) return sdlError("no GLES 3.0 context (apt-get install libgl1-mesa-dri libegl-mesa0)");

@@ -1,4 +1,5 @@
-// A real window and context, without a display unless the caller set SDL_VIDEODRIVER (xvfb-run sets none: then DISPLAY decides).
+// A real window and context, without a display unless the caller set SDL_VIDEODRIVER (xvfb-run sets none: then DISPLAY
+// decides).
 #include "platform/sdl/window.h"
 
 #include <SDL.h>
@@ -51,7 +52,8 @@ TEST_F(SdlWindow, DrawsAFrameAndShowsIt) {
   const auto renderer = render::Renderer::create(*gl, {.width = size.width, .height = size.height, .offscreen = false});
   ASSERT_TRUE(renderer) << renderer.error().message;
   render::Frame frame;
-  frame.quads.push_back({{Vec2(0.5f, 0.5f), Vec2::Zero()}, Vec2(0.4f, 0.4f), render::packRgba(render::Rgb(1.0f, 0.0f, 0.0f))});
+  frame.quads.push_back(
+      {{Vec2(0.5f, 0.5f), Vec2::Zero()}, Vec2(0.4f, 0.4f), render::packRgba(render::Rgb(1.0f, 0.0f, 0.0f))});
   (*renderer)->draw(frame);
   const render::Image image = (*renderer)->readBack();
   EXPECT_EQ(image.at(160, 90)[0], 255);
@@ -118,8 +120,28 @@ TEST(OpenWindow, SaysWhatIsWrongWithTheDisplay) {
   const auto window = openWindow({});
   ASSERT_FALSE(window);
   EXPECT_NE(window.error().message.find("SDL_VIDEODRIVER=offscreen"), std::string::npos) << window.error().message;
-  if (saved.empty()) unsetenv("SDL_VIDEODRIVER");
-  else setenv("SDL_VIDEODRIVER", saved.c_str(), 1);
+  if (saved.empty())
+    unsetenv("SDL_VIDEODRIVER");
+  else
+    setenv("SDL_VIDEODRIVER", saved.c_str(), 1);
+}
+
+TEST(OpenWindow, DoesNotPlayWhereNobodyCanSee) {
+  std::vector<std::pair<const char*, std::string>> saved;
+  for (const char* name : {"SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* value = std::getenv(name);
+    saved.push_back({name, value != nullptr ? value : ""});
+    unsetenv(name);
+  }
+  setenv("DISPLAY", ":4711", 1);  // nobody's
+  const auto window = openWindow({});
+  ASSERT_FALSE(window);
+  EXPECT_NE(window.error().message.find("no display: "), std::string::npos) << window.error().message;
+  for (const auto& [name, value] : saved)
+    if (value.empty())
+      unsetenv(name);
+    else
+      setenv(name, value.c_str(), 1);
 }
 
 }  // namespace
