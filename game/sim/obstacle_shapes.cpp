@@ -159,14 +159,14 @@ void remake(Obstacle& obstacle, ScriptShape& made, const physics::Surface& surfa
 
 /// Moves a shape within its body: by a way, or with a last argument of false to a place relative to where it was made.
 void translateShape(script::Call& call, Obstacle& obstacle) {
-  const Vec3 way = readVector(call, 2);
+  const Vec3 way = readVector(call, 2, rules::kFarthest);
   const bool isRelative = call.boolean(5, true);
   ScriptShape* shape = readWholeShape(call, obstacle);
   if (call.failed() || shape == nullptr) return;
-  if (!(way.norm() < 1000.0f)) return call.fail("way: expected less than 1000");
-  remake(obstacle, *shape, obstacle.room->world().shape(shape->handle).surface,
-         isRelative ? way : Vec3(way - shape->moved));
-  shape->moved = isRelative ? Vec3(shape->moved + way) : way;
+  const Vec3 moved = isRelative ? Vec3(shape->moved + way) : way;
+  if (!(moved.cwiseAbs().maxCoeff() <= rules::kFarthest)) return call.fail("the shape leaves the room");
+  remake(obstacle, *shape, obstacle.room->world().shape(shape->handle).surface, moved - shape->moved);
+  shape->moved = moved;
 }
 
 void setShapeMask(script::Call& call, Obstacle& obstacle) {

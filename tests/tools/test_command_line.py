@@ -63,6 +63,7 @@ class CommandLine(unittest.TestCase):
     def test_sizes_and_ranges(self):
         for size in ["0x0", "640", "640x", "-5x5", "99999x5", "5x5x5", "axb"]:
             self.render("--size", size, says=f"--size {size}: expected WIDTHxHEIGHT")
+        self.render("--size", "16384x16384", says="--size 16384x16384: expected at most 33177600 pixels")
         self.render("--frames", "9..3", says="ends before it begins")
         for frames in ["x", "..", "1..", "-1..5", "1..2..3"]:
             self.render(f"--frames={frames}", says="expected FIRST..LAST")
@@ -70,10 +71,15 @@ class CommandLine(unittest.TestCase):
         self.render("--backend", "vulkan", says="expected egl or osmesa")
         self.render("--every", "0", says="--every")
         self.render("--samples", "3", says="--samples")
+        for seed in ["-1", "1.5", "x", "18446744073709551616"]:
+            self.refused("explain", f"--seed={seed}", says=f"{seed}: expected a whole number from 0")
+        for rooms in ["0", "-1", "4294967295"]:
+            self.refused("explain", f"--rooms={rooms}", says="--rooms")
+        self.refused("explain", "--room", "4294967295", says="no room 4294967295, it has")
 
     def test_missing_and_damaged_replays(self):
         self.render(replay=self.folder / "none.brt", says="no such file")
-        self.refused("verify", self.folder, says="no such file")
+        self.refused("verify", self.folder, says="not a file, expected a replay (.brt)")
         empty, cut, other = self.folder / "empty.brt", self.folder / "cut.brt", self.folder / "other.brt"
         data = self.replay.read_bytes()
         empty.write_bytes(b"")
@@ -88,10 +94,15 @@ class CommandLine(unittest.TestCase):
         blocked = self.folder / "file"
         blocked.write_text("")
         self.refused("render", self.replay, "--out", blocked / "frames", says="--out needs a folder that can be written")
-        self.refused("smoke", self.folder / "game.lua", "--record", blocked / "a.brt", says="cannot be written")
+        for place in [blocked / "a.brt", self.folder, "/dev/null"]:
+            self.refused("smoke", self.folder / "game.lua", "--record", place, says=f"{place}: cannot be written")
+            self.refused("play", "--record", place, says=f"{place}: cannot be written")
+        self.assertTrue(Path("/dev/null").is_char_device())
 
     def test_levels_and_assets_that_are_not_there(self):
         self.refused("explain", "no_such_level", says="no_such_level")
+        self.refused("explain", "two\nlines", says="two lines")
+        self.refused("explain", "../first", says="leads out of the assets")
         self.refused("explain", "--mode", "easy", says="expected training, classic, mayhem or zen")
         self.refused("explain", "--assets", self.folder / "none", says="none")
         self.refused("smoke", self.folder / "none.lua", says="no such file")
@@ -100,7 +111,10 @@ class CommandLine(unittest.TestCase):
     def test_a_window_nobody_can_see_is_refused(self):
         for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
             os.environ.pop(name, None)
-        self.refused("play", says="no display here")
+        self.refused("play", says="no display")
+        os.environ["DISPLAY"] = ":4711"  # nobody's
+        self.refused("play", says="no display")
+        os.environ.pop("DISPLAY")
 
     def test_playing_off_screen_records_a_game_that_verifies(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -127,6 +141,13 @@ class CommandLine(unittest.TestCase):
         result = brittle("smoke", script)
         self.assertEqual(result.returncode, 1)
         self.assertIn("expect_broken", result.stdout)
+
+    def test_a_script_cannot_throw_more_than_a_tick_holds(self):
+        script = self.folder / "eager.lua"
+        script.write_text("for i = 1, 9 do throw{tick=5} end\nrun(9)\nexpect_finite()\n")
+        result = brittle("smoke", script, "--record", self.folder / "eager.brt")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("eager.lua:1: throw: tick 5: more than 8 throws", result.stdout)
 
     def test_the_recorded_game_verifies_and_a_changed_input_is_found(self):
         result = brittle("verify", self.replay)

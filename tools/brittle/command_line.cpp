@@ -12,6 +12,12 @@ namespace {
 /// What was asked for, run after the whole line was understood.
 using Action = std::function<int()>;
 
+/// What is wrong with a number from 0 to 2^64 - 1, or nothing: the library itself takes -1 for the largest.
+std::string wholeNumber(const std::string& text) {
+  std::uint64_t number = 0;
+  return readWhole(text, number) ? "" : text + ": expected a whole number from 0 to 18446744073709551615";
+}
+
 void addAssets(CLI::App& command, std::string& assets) {
   command
       .add_option("--assets", assets,
@@ -21,7 +27,10 @@ void addAssets(CLI::App& command, std::string& assets) {
 
 void addGame(CLI::App& command, GameOptions& game) {
   command.add_option("LEVEL", game.level, "name of the level: levels/LEVEL.xml in the assets")->capture_default_str();
-  command.add_option("--seed", game.seed, "the same seed gives the same game")->capture_default_str()->type_name("N");
+  command.add_option("--seed", game.seed, "the same seed gives the same game")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Validator(wholeNumber, ""));
   command.add_option("--mode", game.mode, "training, classic, mayhem or zen")->capture_default_str();
   command.add_option("--room", game.room, "start at this room of the level, from 0")
       ->capture_default_str()
@@ -121,7 +130,8 @@ void addExplain(CLI::App& app, Action& action) {
   addGame(*command, options->game);
   command->add_option("--rooms", options->rooms, "how many rooms to pass through")
       ->capture_default_str()
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1000u));
   command->footer("Examples:\n  brittle explain first\n  brittle explain first --rooms 1");
   command->callback([options, &action] { action = [options] { return explain(*options); }; });
 }

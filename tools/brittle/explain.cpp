@@ -123,11 +123,10 @@ int explain(const ExplainOptions& options) {
   if (!assets) return refuse(assets.error());
   Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
-  const std::uint32_t first = def->firstRoom;
   const audio::Bank bank;
-  for (; def->firstRoom < first + options.rooms; ++def->firstRoom) {
+  for (std::uint32_t passed = 0; passed < options.rooms; ++passed, ++def->firstRoom) {
     const auto simulation = openGame(**assets, *def);
-    if (!simulation && def->firstRoom > first) break;  // the level has no more rooms
+    if (!simulation && passed > 0) break;  // the level has no more rooms
     if (!simulation) return refuse(simulation.error());
     Listener listener(bank);
     print(def->firstRoom, playRoom((*simulation)->game(), listener));

@@ -28,6 +28,22 @@ void serializeSettings(Archive& archive, sim::GameDef& def) {
   archive(def.title);
 }
 
+bool isWithin(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+/// Whether a game can be played with these settings: within the ranges that physics/accuracy.h names.
+bool isPlayable(const physics::Accuracy& accuracy) {
+  return accuracy.fractureMode <= physics::FractureMode::AfterStepBlended && accuracy.fractureRounds >= 0 &&
+         accuracy.fractureRounds <= 64 && isWithin(accuracy.blend, 0.0f, 1.0f) && accuracy.iterations >= 1 &&
+         accuracy.iterations <= 10000 && accuracy.positionIterations >= 0 && accuracy.positionIterations <= 100 &&
+         accuracy.substeps >= 1 && accuracy.substeps <= 64 && isWithin(accuracy.manifold.recycleDistance, 0.0f, 1.0f) &&
+         isWithin(accuracy.speculativeMargin, 0.0f, 1.0f) && isWithin(accuracy.patternDensity, 0.1f, 10.0f) &&
+         isWithin(accuracy.minVolumeScale, 0.0f, 1e6f) && accuracy.maxDebris >= 0 && accuracy.maxDebris <= 1'000'000 &&
+         accuracy.maxBodies >= 0 && accuracy.maxBodies <= 1'000'000 &&
+         isWithin(accuracy.directSolveMassRatio, 0.0f, 1e9f);
+}
+
 std::string hex(std::uint64_t value) {
   char text[20];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
@@ -42,7 +58,9 @@ Result<sim::GameDef> defOf(const replay::Start& start, const std::string& name) 
   ByteReader in(start.settings);
   RestoreArchive archive(in);
   serializeSettings(archive, def);
-  if (!in.ok() || in.remaining() != 0 || start.mode > static_cast<std::uint32_t>(sim::Mode::Coop))
+  constexpr std::int64_t farthest = std::int64_t{1} << 40;  // [2^-8 m]
+  const bool isRead = in.ok() && in.remaining() == 0 && start.mode <= static_cast<std::uint32_t>(sim::Mode::Coop);
+  if (!isRead || !isPlayable(def.accuracy) || def.startOffset < -farthest || def.startOffset > farthest)
     return errorAt(name, 0, "its game settings cannot be read");
   return def;
 }

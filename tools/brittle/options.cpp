@@ -1,19 +1,12 @@
 #include "tools/brittle/options.h"
 
-#include <charconv>
 #include <cstdio>
 
 namespace brittle::program {
 namespace {
 
-constexpr int kLargestSide = 16384;  // of a texture everywhere the program runs [pixels]
-
-/// The whole of `text` as a number, or false.
-template <class Number>
-bool readWhole(std::string_view text, Number& number) {
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return !text.empty() && problem == std::errc() && end == text.data() + text.size();
-}
+constexpr int kLargestSide = 16384;                // of a texture everywhere the program runs [pixels]
+constexpr long long kLargestArea = 7680 * 4320LL;  // [pixels]: 1.6 GB of framebuffers with multisampling
 
 }  // namespace
 
@@ -26,6 +19,8 @@ Result<Size> parseSize(const std::string& text) {
   if (!read || !fits)
     return Error{"--size " + text + ": expected WIDTHxHEIGHT, each from 1 to " + std::to_string(kLargestSide) +
                  ", like 640x360"};
+  if (1LL * size.width * size.height > kLargestArea)
+    return Error{"--size " + text + ": expected at most " + std::to_string(kLargestArea) + " pixels, like 7680x4320"};
   return size;
 }
 
@@ -43,7 +38,10 @@ Result<FrameRange> parseFrames(const std::string& text) {
 }
 
 int refuse(const Error& error) {
-  std::fprintf(stderr, "brittle: %s\n", error.message.c_str());
+  std::string line = error.message;
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 32) c = ' ';  // what was typed may hold line ends
+  std::fprintf(stderr, "brittle: %s\n", line.c_str());
   return kWrongInput;
 }
 

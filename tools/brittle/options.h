@@ -1,8 +1,10 @@
 // brittle/options.h - what the subcommands are told, and reading the values that are more than a number.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -21,7 +23,14 @@ struct FrameRange {
   std::uint32_t first = 0, last = 0;
 };
 
-/// "1280x720"; each side in [1, 16384].
+/// The whole of `text` as a number, or false.
+template <class Number>
+bool readWhole(std::string_view text, Number& number) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return !text.empty() && problem == std::errc() && end == text.data() + text.size();
+}
+
+/// "1280x720"; each side in [1, 16384], at most 7680 * 4320 pixels.
 Result<Size> parseSize(const std::string& text);
 /// "600..900", or one frame as "600".
 Result<FrameRange> parseFrames(const std::string& text);

@@ -1,7 +1,7 @@
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 
+#include "engine/core/file.h"
 #include "engine/replay/recorder.h"
 #include "engine/replay/replay_file.h"
 #include "engine/runtime/loop.h"
@@ -100,20 +100,9 @@ class Player : public runtime::Client {
   std::uint32_t frames_ = 0;
 };
 
-/// Without one SDL would open a window that nobody can see, and play on for ever.
-bool hasDisplay() {
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"})
-    if (const char* value = std::getenv(name); value != nullptr && *value != 0) return true;
-  return false;
-}
-
 }  // namespace
 
 int play(const PlayOptions& options) {
-  if (!hasDisplay())
-    return refuse(
-        {"no display here: `brittle render` draws recorded games without one, SDL_VIDEODRIVER names another way to "
-         "show a window"});
   const Result<Size> size = parseSize(options.size);
   if (!size) return refuse(size.error());
   Result<sim::GameDef> def = defOf(options.game);
@@ -126,6 +115,8 @@ int play(const PlayOptions& options) {
   def->balls = progress.ballsAt(def->level, def->firstRoom);
   auto simulation = openGame(**assets, *def);
   if (!simulation) return refuse(simulation.error());
+  const Status writable = options.record.empty() ? Status(Done{}) : checkWritable(options.record);
+  if (!writable) return refuse(writable.error());
   platform::WindowDef window;
   window.size = {size->width, size->height};
   const auto opened = platform::openWindow(window);

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/file.h"
 #include "game/sim/constants.h"
 #include "game/view/memory.h"
 #include "platform/headless/headless.h"
@@ -35,12 +36,7 @@ Status prepareFolder(const std::string& path) {
   std::filesystem::create_directories(path, problem);
   if (problem)
     return errorAt(path, 0, "cannot be made: " + problem.message() + "; --out needs a folder that can be written");
-  const std::string trial = path + "/.brittle_trial";
-  std::FILE* file = std::fopen(trial.c_str(), "wb");
-  if (file == nullptr) return errorAt(path, 0, "cannot be written: --out needs a folder that can be written");
-  std::fclose(file);
-  std::filesystem::remove(trial, problem);
-  return Done{};
+  return checkWritable(path + "/frame.png");
 }
 
 std::string pictureName(const std::string& folder, std::uint32_t frame) {

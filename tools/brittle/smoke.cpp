@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "engine/core/file.h"
 #include "engine/replay/recorder.h"
 #include "engine/replay/replay_file.h"
 #include "tools/brittle/game.h"
@@ -13,15 +11,7 @@
 namespace brittle::program {
 namespace {
 
-Result<std::string> readText(const std::string& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem))
-    return errorAt(path, 0, "no such file, expected a smoke script (.lua)");
-  std::ifstream in(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) return errorAt(path, 0, "cannot be read");
-  return text;
-}
+constexpr std::size_t kLongestScript = 1u << 20;  // [bytes]
 
 /// Plays the script's inputs once more, recording.
 Status record(const content::AssetSource& assets, const sim::SmokeResult& result, const std::string& path) {
@@ -71,7 +61,7 @@ int playSeeds(const content::AssetSource& assets, const std::string& path, const
 }
 
 int playOne(const content::AssetSource& assets, const std::string& path, const SmokeOptions& options) {
-  const Result<std::string> source = readText(path);
+  const Result<std::string> source = readFile(path, kLongestScript, "a smoke script (.lua)");
   if (!source) return refuse(source.error());
   sim::SmokeSettings settings;
   for (const std::string& setting : options.settings) {
@@ -94,6 +84,8 @@ int playOne(const content::AssetSource& assets, const std::string& path, const S
 int smoke(const SmokeOptions& options) {
   if (!options.record.empty() && (options.scripts.size() != 1 || options.seeds > 0))
     return refuse({"--record: one game at a time, expected SCRIPT --record FILE"});
+  const Status writable = options.record.empty() ? Status(Done{}) : checkWritable(options.record);
+  if (!writable) return refuse(writable.error());
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
   int worst = kDone;
