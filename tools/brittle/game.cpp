@@ -44,6 +44,14 @@ bool isPlayable(const physics::Accuracy& accuracy) {
          isWithin(accuracy.directSolveMassRatio, 0.0f, 1e9f);
 }
 
+bool isPlayable(const sim::GameDef& def) {
+  constexpr std::int64_t farthest = std::int64_t{1} << 40;  // [2^-8 m]
+  return isPlayable(def.accuracy) && def.accuracy.manifold.kind <= physics::ManifoldKind::Clipped &&
+         def.startOffset >= -farthest && def.startOffset <= farthest && def.balls >= 0 &&
+         def.balls <= sim::rules::kBallCap && def.streak >= 0 && def.streak <= 1'000'000 &&
+         isWithin(def.distance, 0.0f, 1e9f);
+}
+
 std::string hex(std::uint64_t value) {
   char text[20];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
@@ -58,10 +66,8 @@ Result<sim::GameDef> defOf(const replay::Start& start, const std::string& name) 
   ByteReader in(start.settings);
   RestoreArchive archive(in);
   serializeSettings(archive, def);
-  constexpr std::int64_t farthest = std::int64_t{1} << 40;  // [2^-8 m]
   const bool isRead = in.ok() && in.remaining() == 0 && start.mode <= static_cast<std::uint32_t>(sim::Mode::Coop);
-  if (!isRead || !isPlayable(def.accuracy) || def.startOffset < -farthest || def.startOffset > farthest)
-    return errorAt(name, 0, "its game settings cannot be read");
+  if (!isRead || !isPlayable(def)) return errorAt(name, 0, "its game settings cannot be read");
   return def;
 }
 
