@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/audio/clip.h"
+#include "engine/core/file.h"
 #include "engine/math/types.h"
 
 namespace brittle::audio {
@@ -26,6 +27,8 @@ void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
 }  // namespace
 
 Result<WavWriter> WavWriter::open(const std::string& path) {
+  const Status writable = checkWritable(path);
+  if (!writable) return writable.error();
   std::FILE* file = std::fopen((path + ".part").c_str(), "wb");
   if (file == nullptr) return Error{path + ": cannot be written: " + std::strerror(errno)};
   WavWriter writer(path, file);

@@ -3,13 +3,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+
+#include "engine/core/file.h"
 
 namespace brittle::program {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestProgress = 1u << 20;  // [bytes]
 
 const char* setVariable(const char* name) {
   const char* value = std::getenv(name);
@@ -27,10 +29,15 @@ std::string progressPath() {
 }
 
 sim::Progress loadProgress(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::error_code failed;
+  if (path.empty() || !fs::exists(path, failed)) return {};
+  const Result<std::string> text = readFile(path, kLongestProgress, "the progress of earlier games");
   std::vector<std::string> problems;
-  sim::Progress progress = sim::Progress::parse(text, path, problems);
+  sim::Progress progress;
+  if (text)
+    progress = sim::Progress::parse(*text, path, problems);
+  else
+    problems.push_back(text.error().message);
   for (const std::string& problem : problems) std::fprintf(stderr, "%s\n", problem.c_str());
   return progress;
 }
@@ -39,14 +46,8 @@ Status saveProgress(const sim::Progress& progress, const std::string& path) {
   if (path.empty()) return Done{};
   std::error_code failed;
   fs::create_directories(fs::path(path).parent_path(), failed);
-  const std::string part = path + ".part";
-  {
-    std::ofstream out(part, std::ios::binary | std::ios::trunc);
-    out << progress.text();
-    if (!out.flush()) return errorAt(part, 0, "cannot be written");
-  }
-  fs::rename(part, path, failed);
-  return failed ? Status(errorAt(path, 0, "cannot be written")) : Status(Done{});
+  const std::string text = progress.text();
+  return writeFile(path, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
 }  // namespace brittle::program
