@@ -5,7 +5,7 @@
 local skills = {
 	-- every: ticks between two looks; error: of the aim [at 1 m]; threats, crystals: how far off they are thrown at [m];
 	-- care: part of the crystals that are seen; waste: part of the looks that end in a throw at nothing; again: ticks until a second try
-	careless = { every = 20, error = 0.060, threats = 10, crystals = 14, care = 0.7, waste = 0.04, again = 20 },
+	careless = { every = 20, error = 0.056, threats = 10, crystals = 14, care = 0.7, waste = 0.04, again = 20 },
 	average = { every = 15, error = 0.030, threats = 11, crystals = 16, care = 0.8, waste = 0.04, again = 25 },
 	good = { every = 6, error = 0.008, threats = 14, crystals = 19, care = 1, waste = 0, again = 12 },
 	-- throws nothing at all
