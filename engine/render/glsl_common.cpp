@@ -67,7 +67,8 @@ vec3 withFog(vec3 color, vec3 point) { return mix(color, fogColor(), fogAt(depth
 vec3 surroundings(vec3 r) { return mix(frame.low.rgb * 0.35, frame.high.rgb * 0.85, smoothstep(-0.25, 0.55, r.y)); }
 
 // What a mirror at `point` shows in direction r: the side of the room it looks at, its lamps, and the fog before them. `soft` [m] blurs.
-vec3 environment(vec3 point, vec3 r, float soft) {
+// Only the nearest `lamps` are looked for.
+vec3 environment(vec3 point, vec3 r, float soft, int lamps) {
   bvec2 up = greaterThan(r.xy, vec2(0.0));
   vec2 side = vec2(up.x ? frame.room.z : frame.room.x, up.y ? frame.room.w : frame.room.y);
   vec2 ways = max((side - point.xy) / (abs(r.xy) + 1e-4) * (vec2(up) * 2.0 - 1.0), 0.0);
@@ -79,7 +80,7 @@ vec3 environment(vec3 point, vec3 r, float soft) {
   c *= mix(0.55, 1.3, smoothstep(-0.7, 0.7, r.y));  // mirrors look better in a room with more contrast than ours
   vec2 corner = min(hit.xy - frame.room.xy, frame.room.zw - hit.xy);
   c *= 0.62 + 0.38 * smoothstep(0.0, 1.4, max(corner.x, corner.y));
-  for (int i = 0; i < int(frame.lampColor.w); ++i) {
+  for (int i = 0; i < min(lamps, int(frame.lampColor.w)); ++i) {
     vec3 off = max(abs(hit - frame.lampPlace[i].xyz) - frame.lampForm[i].xyz, 0.0);
     float far = dot(off, off);
     c += frame.lampColor.rgb * (frame.lampPlace[i].w * (smoothstep(soft * soft, 0.0, far) * 1.5 + 0.18 / (0.5 + far)));
@@ -113,7 +114,7 @@ vec3 shade(vec3 albedo, vec3 point, vec3 n, float metalness, float gloss, float 
   float sky = 0.75 + 0.25 * n.y;
   vec3 diffuse = albedo * (frame.toLight.w * sky + (1.0 - frame.toLight.w) * lambert * frame.lightColor.rgb);
   float fresnel = schlick(facing, 0.04) * (0.2 + 0.8 * gloss);
-  vec3 mirror = environment(point, normalize(mix(n, r, 0.4 + 0.6 * gloss)), mix(2.5, 0.08, gloss));
+  vec3 mirror = environment(point, normalize(mix(n, r, 0.4 + 0.6 * gloss)), mix(2.5, 0.08, gloss), 8);
   vec3 highlight = frame.lightColor.rgb * (pow(max(dot(r, frame.toLight.xyz), 0.0), mix(8.0, 300.0, gloss * gloss)) * (0.15 + 1.6 * gloss));
   vec3 plastic = diffuse + (mirror + highlight) * fresnel;
   mirror *= 0.45 + 1.3 * dot(mirror, vec3(0.3, 0.5, 0.2));  // polished steel shows bright things brighter

@@ -32,17 +32,11 @@ void main() {
   vec3 v = toEye(vPoint);
   // Light on faces is baked into the colours; what does not see the room's light still sees its colour.
   vec3 color = albedo * mix(frame.low.rgb * 0.22 + 0.03, vec3(1.0), open);
-  vec3 r = reflect(-v, n);
-  float through = 0.0;
-  if (offset.w > 0.5) {
-    // A mirror floor lets the room that is drawn upside down below it through; other polished faces look it up.
-    float mirror = schlick(dot(n, v), 0.10) * open;
-    bool isFloor = frame.mirror.y > 0.5 && n.y > 0.5 && abs(vPoint.y - frame.mirror.x) < 0.02;
-    through = isFloor ? mirror : 0.0;
-    color = color * (1.0 - mirror) + (isFloor ? vec3(0.0) : environment(vPoint, r, 0.3) * mirror);
-  } else {
-    color += surroundings(r) * (schlick(dot(n, v), 0.04) * (n.y > 0.5 ? 0.6 : 0.3) * open);
-  }
+  // A mirror floor lets the room that is drawn upside down below it through; other polished faces show its colours.
+  bool isMirror = offset.w > 0.5 && n.y > 0.5 && abs(vPoint.y - frame.mirror.x) < 0.02 && frame.mirror.y > 0.5;
+  float polish = schlick(dot(n, v), offset.w > 0.5 ? 0.10 : 0.04) * (offset.w > 0.5 ? 1.0 : n.y > 0.5 ? 0.6 : 0.3) * open;
+  float through = isMirror ? polish : 0.0;
+  color = color * (1.0 - offset.w * polish) + (isMirror ? vec3(0.0) : surroundings(reflect(-v, n)) * polish);
   float clear = 1.0 - fogAt(depthOf(vPoint));
   through *= clear;
   result = vec4(color * clear + fogColor() * (1.0 - clear), 1.0 - through);
@@ -112,7 +106,7 @@ void main() {
   vec3 through = tint * mix(vec3(1.0), tint, min((path - 1.0) * 0.8 + cut, 1.5)) * finish.y * (1.0 - fresnel);
   float sharp = pow(max(dot(r, frame.toLight.xyz), 0.0), mix(30.0, 420.0, finish.x));
   float glint = smoothstep(0.35, 0.95, sin(11.0 * r.x + 6.0 * r.y));  // window light, in slanted bands
-  vec3 mirror = environment(vPoint, r, 0.15) * fresnel;
+  vec3 mirror = environment(vPoint, r, 0.15, 4) * fresnel;
   mirror += frame.high.rgb * (glint * (0.03 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
   // A broken face gathers the light inside the glass: pale where one looks along it, clear where one looks through it.
   float grazing = cut * (1.0 - facing * facing);

@@ -1,5 +1,7 @@
 #include "engine/render/instances.h"
 
+#include <cmath>
+
 #include "engine/math/trig.h"
 #include "engine/render/decal_atlas.h"
 #include "engine/render/text.h"
@@ -9,9 +11,13 @@ namespace brittle::render {
 namespace {
 
 constexpr float kRectangle = 0.0f, kArc = 1.0f, kGlyph = 2.0f;  // kinds of the hud shader
-constexpr float kShadeWidth = 0.20f;  // of the soft shade about a letter [cap height]. Chosen by eye
-// How far below its caster a shadow can fall: a ball's in radii, any other's [m].
-constexpr float kBallShadowReach = 4.0f, kShadowReach = 1.8f;
+constexpr float kShadeWidth = 0.20f;      // of the soft shade about a letter [cap height]. Chosen by eye
+constexpr float kBallShadowReach = 4.0f;  // how far below its ball a shadow can fall [radii]
+
+/// How far below its caster a shadow can be told: a small one is soon too soft. [m]
+float reachOf(const Shadow& s) {
+  return clampTo(0.25f + 3.0f * std::sqrt(s.halfSize.x() * s.halfSize.y()), 0.3f, 1.8f);
+}
 
 std::array<float, 4> placeOf(const Vec3& center, float radius) {
   return {center.x(), center.y(), center.z(), radius};
@@ -72,7 +78,7 @@ void Instances::packShadows(const Frame& frame, const View& view) {
     add({placeOf(s.position, kBallShadowReach * s.radius), {s.radius, s.radius, 1.0f, 0.0f}, frame.sphereShadow, 1.0f},
         s.position, s.radius);
   for (const Shadow& s : frame.shadows)
-    add({placeOf(s.position, kShadowReach),
+    add({placeOf(s.position, reachOf(s)),
          {s.halfSize.x(), s.halfSize.y(), cosine(s.turn), sine(s.turn)},
          s.opacity,
          0.0f},

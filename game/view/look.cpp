@@ -56,7 +56,7 @@ std::vector<render::Material> materials() {
   return table;
 }
 
-render::BakedMesh bakeSegment(const sim::SegmentLook& look) {
+render::Baker bakerOf(const sim::SegmentLook& look) {
   std::vector<render::BakeBox> boxes, beyond;
   for (const sim::LookBox& box : look.boxes) {
     boxes.push_back(boxOf(box));
@@ -65,7 +65,7 @@ render::BakedMesh bakeSegment(const sim::SegmentLook& look) {
   render::BakeDef def;
   def.light = {look.light[0], look.light[1], look.light[2], look.light[3], look.light[4], look.light[5]};
   def.beyond = beyond;
-  return render::bake(boxes, def);
+  return render::Baker(boxes, def);
 }
 
 }  // namespace brittle::view

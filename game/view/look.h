@@ -13,8 +13,8 @@ namespace brittle::view {
 /// The material table, indexed by sim::Look.
 std::vector<render::Material> materials();
 
-/// A segment's boxes as triangles in the segment's frame, with the light of its faces and ambient occlusion in the
-/// vertices. The same look gives the same mesh.
-render::BakedMesh bakeSegment(const sim::SegmentLook& look);
+/// Makes a segment's boxes triangles in the segment's frame, with the light of its faces and lamps and ambient
+/// occlusion in the vertices. The same look gives the same mesh.
+render::Baker bakerOf(const sim::SegmentLook& look);
 
 }  // namespace brittle::view

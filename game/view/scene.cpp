@@ -83,7 +83,8 @@ void Scene::placeCamera(double tick) {
 }
 
 void Scene::addRooms(const MeshPools& pools) {
-  statics_.show(seen_.rooms, frame_.statics);
+  const float farthest = minOf(frame_.fog.end, frame_.camera.farPlane) + kMostShake;
+  statics_.show(seen_.rooms, frame_.camera.position.z(), farthest, frame_.statics);
   for (const sim::RoomView& room : seen_.rooms)
     for (const sim::PlacedSegment& segment : room.segments) addHalos(*segment.look, segment.origin, frame_.glows);
   for (std::size_t i = 0; i < seen_.rooms.size() && i < render::kMaxGroups; ++i) {

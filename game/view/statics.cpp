@@ -16,7 +16,7 @@ render::StaticId Statics::meshOf(const sim::SegmentLook& look) {
     known->second.lastSeen = shows_;
     return known->second.id;
   }
-  const render::BakedMesh baked = bakeSegment(look);
+  const render::BakedMesh baked = takeBaker(look).finish();
   const render::StaticId id =
       baked.indices.empty() ? 0 : renderer_.createStatic(baked.vertices, baked.indices, baked.polished);
   meshes_[look.name] = {id, shows_};
@@ -34,11 +34,31 @@ void Statics::dropUnseen() {
   }
 }
 
-void Statics::show(std::span<const sim::RoomView> rooms, std::vector<render::VisibleStatic>& seen) {
+render::Baker Statics::takeBaker(const sim::SegmentLook& look) {
+  if (!baking_ || baking_->name != look.name) return bakerOf(look);
+  render::Baker baker = std::move(baking_->baker);
+  baking_.reset();
+  return baker;
+}
+
+void Statics::bakeAhead(const sim::SegmentLook& look) {
+  if (!baking_ || baking_->name != look.name) baking_ = {look.name, bakerOf(look)};
+  if (!baking_->baker.step()) meshOf(look);
+}
+
+void Statics::show(std::span<const sim::RoomView> rooms, float cameraZ, float farthest,
+                   std::vector<render::VisibleStatic>& seen) {
   ++shows_;
+  const sim::SegmentLook* next = nullptr;  // to come into sight
   for (const sim::RoomView& room : rooms)
-    for (const sim::PlacedSegment& segment : room.segments)
-      if (const render::StaticId id = meshOf(*segment.look)) seen.push_back({id, segment.origin});
+    for (const sim::PlacedSegment& segment : room.segments) {
+      if (cameraZ - segment.origin.z() < farthest) {
+        if (const render::StaticId id = meshOf(*segment.look)) seen.push_back({id, segment.origin});
+      } else if (next == nullptr && !meshes_.contains(segment.look->name)) {
+        next = segment.look.get();
+      }
+    }
+  if (next != nullptr) bakeAhead(*next);
   dropUnseen();
 }
 
@@ -46,6 +66,7 @@ void Statics::clear() {
   for (const auto& [name, mesh] : meshes_)
     if (mesh.id != 0) renderer_.destroyStatic(mesh.id);
   meshes_.clear();
+  baking_.reset();
 }
 
 }  // namespace brittle::view
