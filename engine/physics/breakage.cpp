@@ -175,6 +175,37 @@ void scatterCrumbs(State& state, const Body& old, std::uint32_t color, const Fra
   }
 }
 
+/// One breaking per body with saturated strikes, in the order of the bodies.
+void gatherBreakings(State& state) {
+  state.breakings.clear();
+  std::vector<fracture::Impact>& impacts = state.impacts;
+  impacts.clear();
+  const std::vector<Strike>& list = state.strikes.list;
+  for (std::size_t first = 0, end = 0; first < list.size(); first = end) {
+    const auto firstImpact = static_cast<std::uint32_t>(impacts.size());
+    const Strike* hardest = nullptr;
+    for (end = first; end < list.size() && list[end].struck == list[first].struck; ++end) {
+      if (!list[end].saturated || !list[end].mayBreak) continue;
+      impacts.push_back(impactOf(state, list[end]));
+      if (hardest == nullptr || list[end].approachSpeed > hardest->approachSpeed) hardest = &list[end];
+    }
+    if (hardest == nullptr) continue;
+    std::stable_sort(impacts.begin() + firstImpact, impacts.end(), isBefore);
+    const Body& struck = state.bodies[hardest->struck];
+    const BreakEvent event{hardest->struck, hardest->striker, struck.assembly, struck.userData, hardest->point,
+                           normalizedOr(hardest->relativeVelocity, Vec3::UnitY()), hardest->approachSpeed, hardest->capacity, 0};
+    state.breakings.push_back({event, firstImpact, static_cast<std::uint32_t>(impacts.size()) - firstImpact});
+  }
+}
+
+void carryOut(State& state, const Breaking& breaking) {
+  BreakEvent event = breaking.event;
+  event.pieces = breakBody(state, event.body, &state.impacts[breaking.firstImpact], breaking.impactCount, event.striker);
+  state.events.breaks.push_back(event);
+  ++state.counters.breaks;
+  ++state.counters.totalBreaks;
+}
+
 }  // namespace
 
 std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact* impacts, std::uint32_t count, BodyHandle striker) {
@@ -230,31 +261,12 @@ std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact*
 void fractureSaturated(State& state) {
   BR_ZONE("fracture");
   state.touchedBodies.clear();
-  // Charge first: breaking removes the contacts that carry what was paid.
+  // Charge and read everything first: breaking removes the contacts that carry what was paid, also those of a body that was struck here
+  // and strikes there.
   for (const Strike& strike : state.strikes.list)
     if (strike.saturated && strike.mayBreak) charge(state, strike.striker, strike.struck, strike.capacity);
-  std::vector<fracture::Impact>& impacts = state.impacts;
-  const std::vector<Strike>& list = state.strikes.list;
-  for (std::size_t first = 0; first < list.size();) {
-    std::size_t end = first;
-    impacts.clear();
-    const Strike* hardest = nullptr;
-    for (; end < list.size() && list[end].struck == list[first].struck; ++end) {
-      if (!list[end].saturated || !list[end].mayBreak) continue;
-      impacts.push_back(impactOf(state, list[end]));
-      if (hardest == nullptr || list[end].approachSpeed > hardest->approachSpeed) hardest = &list[end];
-    }
-    first = end;
-    if (hardest == nullptr) continue;
-    std::stable_sort(impacts.begin(), impacts.end(), isBefore);
-    const Body& struck = state.bodies[hardest->struck];
-    BreakEvent event{hardest->struck, hardest->striker, struck.assembly, struck.userData, hardest->point,
-                     normalizedOr(hardest->relativeVelocity, Vec3::UnitY()), hardest->approachSpeed, hardest->capacity, 0};
-    event.pieces = breakBody(state, hardest->struck, impacts.data(), static_cast<std::uint32_t>(impacts.size()), hardest->striker);
-    state.events.breaks.push_back(event);
-    ++state.counters.breaks;
-    ++state.counters.totalBreaks;
-  }
+  gatherBreakings(state);
+  for (const Breaking& breaking : state.breakings) carryOut(state, breaking);
 }
 
 void fractureAfterStep(State& state) {
@@ -287,12 +299,9 @@ void breakHeld(State& state) {
     }
     std::stable_sort(impacts.begin(), impacts.end(), isBefore);
     const Body& struck = state.bodies[first.struck];
-    BreakEvent event{first.struck, first.striker, struck.assembly, struck.userData, struck.pose.toWorld(first.impact.point),
-                     struck.pose.rotate(first.impact.direction), first.impact.speed, first.impulse, 0};
-    event.pieces = breakBody(state, first.struck, impacts.data(), static_cast<std::uint32_t>(impacts.size()), first.striker);
-    state.events.breaks.push_back(event);
-    ++state.counters.breaks;
-    ++state.counters.totalBreaks;
+    const BreakEvent event{first.struck, first.striker, struck.assembly, struck.userData, struck.pose.toWorld(first.impact.point),
+                           struck.pose.rotate(first.impact.direction), first.impact.speed, first.impulse, 0};
+    carryOut(state, {event, 0, static_cast<std::uint32_t>(impacts.size())});
   }
 }
 

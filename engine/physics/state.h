@@ -53,6 +53,7 @@ struct State {
   fracture::Fracturer fracturer;
   std::vector<Held> breakingNow;
   std::vector<fracture::Impact> impacts;
+  std::vector<Breaking> breakings;
   std::vector<bool> groupFlags;
   Events events;
   Counters counters;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/fracture/fracture.h"
+#include "engine/physics/events.h"
 #include "engine/physics/ids.h"
 
 namespace brittle::physics {
@@ -76,6 +77,12 @@ struct Budget {
     a(struck);
     a(spent);
   }
+};
+
+/// A body that breaks now, and where it was hit: `impactCount` of State::impacts from `firstImpact` on.
+struct Breaking {
+  BreakEvent event;
+  std::uint32_t firstImpact = 0, impactCount = 0;
 };
 
 /// A body whose breaking was put off to the next tick; its striker waits at it and has paid.
