@@ -19,8 +19,8 @@ inline Quat rotationXyz(const Vec3& angles) {
 }
 
 struct Transform {
-  Vec3 position = Vec3::Zero();       // [m]
-  Quat rotation = Quat::Identity();   // unit
+  Vec3 position = Vec3::Zero();      // [m]
+  Quat rotation = Quat::Identity();  // unit
 
   Vec3 toWorld(const Vec3& pointLocal) const { return rotation * pointLocal + position; }
   Vec3 toLocal(const Vec3& pointWorld) const { return rotation.conjugate() * (pointWorld - position); }
@@ -39,6 +39,14 @@ inline Transform relativeTo(const Transform& a, const Transform& b) {
 }
 
 /// The rotation after turning with angular velocity `w` [rad/s] for `dt` [s]; exact for constant w.
+/// The rotation vector [rad] that leads from `a` to `b`, at most half a turn.
+inline Vec3 rotationBetween(const Quat& a, const Quat& b) {
+  Quat turn = b * a.conjugate();
+  if (turn.w() < 0.0f) turn.coeffs() = -turn.coeffs();
+  const float s = turn.vec().norm();
+  return s > 1e-9f ? Vec3(turn.vec() * (2.0f * arcTangent(s, turn.w()) / s)) : Vec3(Vec3::Zero());
+}
+
 inline Quat integrateRotation(const Quat& q, const Vec3& w, float dt) {
   const float speed = w.norm();
   if (speed * dt < 1e-9f) return q;

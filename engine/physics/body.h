@@ -1,5 +1,6 @@
-// physics/body.h - a rigid body: a compound of convex shapes that move as one. Pieces of a broken body keep its local frame, so a
-// body stores its centre of mass as an offset. The engine is shape-centric: who needs a body asks a shape for it.
+// physics/body.h - a rigid body: a compound of convex shapes that move as one. Pieces of a broken body keep its local
+// frame, so a body stores its centre of mass as an offset. The engine is shape-centric: who needs a body asks a shape
+// for it.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +13,13 @@
 namespace brittle::physics {
 
 enum class BodyType : std::uint8_t {
-  Static,    // never moves; a breakable static body loses what is no longer anchored
+  Static,  // never moves; a breakable static body loses what is no longer anchored
   Dynamic,
   Animated,  // moves as it is told, pushes and is not pushed
 };
 
-/// What a breakable body is made of. strength is J: what it takes from one striker within 1/60 s before it breaks [N s].
+/// What a breakable body is made of. strength is J: what it takes from one striker within 1/60 s before it breaks [N
+/// s].
 struct Breakable {
   float strength = 0.0f;  // [N s]; 0: unbreakable
   fracture::FractureMaterial material;
@@ -30,8 +32,8 @@ struct BodyDef {
   Vec3 angularVelocity = Vec3::Zero();  // [rad/s]
   float gravityScale = 1.0f;            // [-]
   Breakable breakable;
-  std::uint32_t assembly = 0;           // pieces inherit it: "all that became of this thing"; 0: a new number
-  std::uint32_t userData = 0;           // the game's; pieces inherit it
+  std::uint32_t assembly = 0;  // pieces inherit it: "all that became of this thing"; 0: a new number
+  std::uint32_t userData = 0;  // the game's; pieces inherit it
   bool awake = true;
 };
 
@@ -52,18 +54,18 @@ struct Body {
   float radius = 0.0f;                  // bounding radius about the centre [m]
   float innerRadius = 0.0f;             // half the thinnest extent of its thinnest shape [m]
   float gravityScale = 1.0f;
-  ShapeHandle firstShape;               // list through Shape::next
+  ShapeHandle firstShape;  // list through Shape::next
   std::uint32_t shapeCount = 0;
   Breakable breaking;
-  std::uint64_t seed = 0;               // of its next breaking
+  std::uint64_t seed = 0;  // of its next breaking
   std::uint32_t assembly = 0;
   std::uint32_t userData = 0;
-  std::int32_t bornTick = 0;            // may be before the world's first tick, see World::compact
-  std::uint32_t restTicks = 0;          // ticks it has been slow enough to be put to rest
-  std::int32_t brokenTick = -1000;      // last tick it broke in: what is left does not break again in that tick
-  BodyHandle striker;                   // a piece: who broke it loose; what it passes on soon after counts in that one's budget
-  float timeUsed = 0.0f;                // of this tick: already moved to where it struck [s]; 0 between ticks
-  bool waitsAtGlass = false;            // this tick: what it struck breaks in the next one, it goes no further
+  std::int32_t bornTick = 0;        // may be before the world's first tick
+  std::uint32_t restTicks = 0;      // ticks it has been slow enough to be put to rest
+  std::int32_t brokenTick = -1000;  // last tick it broke in: what is left does not break again in that tick
+  BodyHandle striker;         // a piece: who broke it loose; what it passes on soon after counts in that one's budget
+  float timeUsed = 0.0f;      // of this tick: already moved to where it struck [s]; 0 between ticks
+  bool waitsAtGlass = false;  // this tick: what it struck breaks in the next one, it goes no further
   // Animated: where it goes this tick; velocities are derived from it.
   bool hasTarget = false;
   Transform target;

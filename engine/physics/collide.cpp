@@ -8,9 +8,10 @@ namespace brittle::physics {
 namespace {
 
 constexpr float kFatMargin = 0.05f;  // boxes in the tree are larger by this [m], so that most bodies do not touch it
+constexpr float kLoose = 4.0f;  // boxes larger by so many margins are from faster days: they have too many pairs [-]
 constexpr float kSameNormal = 0.98f;  // cosine: 11 degrees [-]
-constexpr float kMaxTurn = 0.2f;       // and as much within the tick [rad]
-constexpr float kFatRatio = 0.125f;  // or by this part of the shape's extent, if that is less [-]
+constexpr float kMaxTurn = 0.2f;      // and as much within the tick [rad]
+constexpr float kFatRatio = 0.125f;   // or by this part of the shape's extent, if that is less [-]
 
 /// The box over the body's way of the tick.
 Aabb sweptBox(const Aabb& box, const Body& body, float dt) {
@@ -21,15 +22,21 @@ Aabb sweptBox(const Aabb& box, const Body& body, float dt) {
   return swept.grownBy(turn);
 }
 
-void updateProxy(State& state, ShapeHandle handle, Shape& shape, const Body& body, float dt) {
-  const Aabb box = geometry::boundsOf(proxyOf(shape, state.meshes), body.pose);
-  state.shapeBoxes[handle.index] = box;
+/// Sees to it that the shape's box in the tree covers its way of the tick.
+void cover(State& state, ShapeHandle handle, const Shape& shape, const Body& body, float dt) {
+  const Aabb& box = state.shapeBoxes[handle.index];
   const Aabb swept = sweptBox(box, body, dt);
-  if (state.tree.box(shape.proxy).contains(swept)) return;
   const Vec3 extent = box.extent();
-  const float size = maxOf(extent.x(), maxOf(extent.y(), extent.z()));
-  state.tree.move(shape.proxy, swept.grownBy(minOf(kFatMargin, kFatRatio * size)));
+  const float fat = minOf(kFatMargin, kFatRatio * maxOf(extent.x(), maxOf(extent.y(), extent.z())));
+  const Aabb& known = state.tree.box(shape.proxy);
+  if (known.contains(swept) && swept.grownBy(kLoose * fat).contains(known)) return;
+  state.tree.move(shape.proxy, swept.grownBy(fat));
   state.movedShapes.push_back(handle);
+}
+
+void updateProxy(State& state, ShapeHandle handle, const Shape& shape, const Body& body, float dt) {
+  state.shapeBoxes[handle.index] = geometry::boundsOf(proxyOf(shape, state.meshes), body.pose);
+  cover(state, handle, shape, body, dt);
 }
 
 bool mayTouch(const State& state, const Shape& a, const Shape& b) {
@@ -55,11 +62,6 @@ void findPairs(State& state) {
   state.movedShapes.clear();
 }
 
-/// The tight box of a shape that moves, the tree's own of one that rests.
-const Aabb& currentBox(const State& state, const Shape& shape, std::uint32_t slot) {
-  return state.bodyOf(shape).awake ? state.shapeBoxes[slot] : state.tree.box(shape.proxy);
-}
-
 /// How far the two may come closer within the tick. [m]
 float closingWay(const Body& a, const Body& b, float dt) {
   const Vec3 velocityA = a.awake ? a.velocity : Vec3(Vec3::Zero());
@@ -69,7 +71,8 @@ float closingWay(const Body& a, const Body& b, float dt) {
   return ((velocityA - velocityB).norm() + turnA + turnB) * dt;
 }
 
-/// Closing speed at each point before the solver first stopped it: what restitution gives back. Within a tick it only grows.
+/// Closing speed at each point before the solver first stopped it: what restitution gives back. Within a tick it only
+/// grows.
 void rememberApproach(const Body& a, const Body& b, Contact& contact) {
   for (int i = 0; i < contact.manifold.count; ++i) {
     const ManifoldPoint& point = contact.manifold.points[i];
@@ -99,8 +102,8 @@ void updateContact(State& state, Contact& contact, float dt) {
     contact.manifold.computed = false;
     return;
   }
-  updateManifold(proxyOf(a, state.meshes), bodyA.pose, a.innerRadius, proxyOf(b, state.meshes), bodyB.pose, b.innerRadius,
-                 margin, state.accuracy.manifold, contact.manifold);
+  updateManifold(proxyOf(a, state.meshes), bodyA.pose, a.innerRadius, proxyOf(b, state.meshes), bodyB.pose,
+                 b.innerRadius, margin, state.accuracy.manifold, contact.manifold);
   rememberApproach(bodyA, bodyB, contact);
   if (isOutOfReach(contact, near, dt)) {
     contact.manifold.count = 0;
@@ -108,8 +111,8 @@ void updateContact(State& state, Contact& contact, float dt) {
   }
 }
 
-/// Last tick's impulses start this tick's solve only where the pair stands about as it stood: between a heavy striker and a shard that
-/// spins, they would throw the shard faster than the iterations can catch it.
+/// Last tick's impulses start this tick's solve only where the pair stands about as it stood: between a heavy striker
+/// and a shard that spins, they would throw the shard faster than the iterations can catch it.
 void forgetIfTurned(const State& state, const Vec3& normalBefore, float dt, Contact& contact) {
   Manifold& manifold = contact.manifold;
   const Body& a = state.bodyOf(state.shapes[contact.a]);
@@ -128,14 +131,20 @@ bool isNear(const State& state, const Contact& contact) {
 
 void updateContactAt(State& state, ContactHandle handle, float dt) {
   Contact& contact = state.contacts[handle];
-  if (isNear(state, contact)) updateContact(state, contact, dt);
-  else removeContact(state, handle);
+  if (isNear(state, contact))
+    updateContact(state, contact, dt);
+  else
+    removeContact(state, handle);
 }
 
 }  // namespace
 
 float contactSlop(const Shape& a, const Shape& b) {
   return clampTo(0.01f * minOf(a.innerRadius, b.innerRadius), 1e-5f, 0.0005f);
+}
+
+const Aabb& currentBox(const State& state, const Shape& shape, std::uint32_t slot) {
+  return state.bodyOf(shape).awake ? state.shapeBoxes[slot] : state.tree.box(shape.proxy);
 }
 
 void insertProxy(State& state, ShapeHandle handle) {
@@ -162,6 +171,7 @@ void detectCollisions(State& state, float dt) {
     contact.reached = false;
     contact.passable = false;
     contact.waits = false;
+    contact.met = false;
     for (float& speed : contact.approach) speed = 0.0f;
     contact.strike = kNoStrike;
     contact.manifold.seeded = false;
@@ -191,6 +201,14 @@ void detectCollisionsOf(State& state, const std::vector<BodyHandle>& bodies, flo
       });
     });
   }
+}
+
+void findPairsOnTheWay(State& state, float dt) {
+  state.bodies.forEach([&](BodyHandle, const Body& body) {
+    if (!body.isDynamic() || !body.awake) return;
+    forEachShape(state, body, [&](ShapeHandle handle, const Shape& shape) { cover(state, handle, shape, body, dt); });
+  });
+  findPairs(state);
 }
 
 }  // namespace brittle::physics

@@ -10,39 +10,40 @@
 namespace brittle::physics {
 
 struct BreakEvent {
-  BodyHandle body;                 // what broke; stale if nothing of it stayed
+  BodyHandle body;  // what broke; stale if nothing of it stayed
   BodyHandle striker;
   std::uint32_t assembly = 0;
-  std::uint32_t userData = 0;      // of the broken body
-  Vec3 point = Vec3::Zero();       // world [m]
-  Vec3 normal = Vec3::UnitY();     // the way the striker went
-  float speed = 0.0f;              // approach speed [m/s]
-  float impulse = 0.0f;            // paid by the striker [N s]
-  std::uint32_t pieces = 0;        // new bodies
+  std::uint32_t userData = 0;   // of the broken body
+  Vec3 point = Vec3::Zero();    // world [m]
+  Vec3 normal = Vec3::UnitY();  // the way the striker went
+  float speed = 0.0f;           // approach speed [m/s]
+  float impulse = 0.0f;         // paid by the striker [N s]
+  std::uint32_t pieces = 0;     // new bodies
 };
 
 struct HitEvent {
   BodyHandle a, b;
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::UnitY();
-  float speed = 0.0f;              // approach speed [m/s]
-  float impulse = 0.0f;            // [N s]
+  float speed = 0.0f;    // approach speed [m/s]
+  float impulse = 0.0f;  // [N s]
 };
 
 struct Events {
   std::vector<BreakEvent> breaks;
-  std::vector<HitEvent> hits;              // new touches faster than 0.5 m/s
-  std::vector<BodyHandle> quarantined;     // removed because a number in them was not finite
+  std::vector<HitEvent> hits;           // new touches faster than 0.5 m/s
+  std::vector<BodyHandle> quarantined;  // removed because a number in them was not finite
 };
 
 /// Always on, cheap; shown by the overlay and the bench. Of the last tick unless said.
 struct Counters {
   std::uint32_t bodies = 0, awakeBodies = 0, shapes = 0, contacts = 0, points = 0, pairsTested = 0;
-  std::uint32_t rounds = 0;                // fracture rounds
-  std::uint32_t passes = 0;                // times the solver ran
+  std::uint32_t rounds = 0;  // fracture rounds
+  std::uint32_t passes = 0;  // times the solver ran
   std::uint32_t breaks = 0, pieces = 0, crumbs = 0;
   std::uint32_t held = 0;                  // strikers held at a body that breaks next tick
   std::uint32_t swept = 0;                 // fast bodies swept
+  std::uint32_t sweeps = 0, confined = 0;  // ways searched for their first obstacle; bodies set back from one
   std::uint64_t totalBreaks = 0, totalHeld = 0, totalRefusedCuts = 0;  // since the start
 };
 

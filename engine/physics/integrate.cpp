@@ -5,14 +5,13 @@
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
 #include "engine/physics/edit.h"
+#include "engine/physics/sweep.h"
 
 namespace brittle::physics {
 namespace {
 
-constexpr float kFastRatio = 0.5f;      // swept if it moves further than this part of its inner radius [-]
-constexpr int kMaxSlides = 3;           // surfaces a fast body may slide along within a tick
-constexpr float kPushRatio = 0.2f;      // part of the overlap removed per pass [-]; more makes stacks jitter
-constexpr float kMaxPush = 0.1f;        // of the smaller inner radius, per pass [-]
+constexpr float kPushRatio = 0.2f;  // part of the overlap removed per pass [-]; more makes stacks jitter
+constexpr float kMaxPush = 0.1f;    // of the smaller inner radius, per pass [-]
 
 /// The velocities that bring an animated body to its target in this tick.
 void followTarget(Body& body, float dt) {
@@ -22,77 +21,24 @@ void followTarget(Body& body, float dt) {
     return;
   }
   body.velocity = (body.target.toWorld(body.localCenter) - body.center) / dt;
-  Quat turn = body.target.rotation * body.pose.rotation.conjugate();
-  if (turn.w() < 0.0f) turn.coeffs() = -turn.coeffs();
-  const float s = turn.vec().norm();
-  const float angle = 2.0f * arcTangent(s, turn.w());
-  body.angularVelocity = s > 1e-9f ? Vec3(turn.vec() * (angle / (s * dt))) : Vec3(Vec3::Zero());
+  body.angularVelocity = rotationBetween(body.pose.rotation, body.target.rotation) / dt;
 }
 
-void moveBody(Body& body, float time) {
-  body.center += body.velocity * time;
-  body.pose.rotation = integrateRotation(body.pose.rotation, body.angularVelocity, time);
-  body.placeByCenter();
-}
-
-/// What stops a fast body: things that do not give way.
-bool isObstacle(const State& state, const Body& mover, const Body& other) {
-  return !other.isDynamic() || !other.awake || (state.tick != other.bornTick && other.mass > 5.0f * mover.mass);
-}
-
-struct Stop {
-  bool hit = false;
-  float time = 0.0f;
-  Vec3 normal = Vec3::UnitY();  // away from the obstacle
-};
-
-Stop firstObstacle(const State& state, const Body& body, float time) {
-  Stop stop;
-  const geometry::Motion motion{body.pose, body.center, body.velocity, body.angularVelocity};
-  forEachShape(state, body, [&](ShapeHandle, const Shape& shape) {
-    forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
-      const Contact& contact = state.contacts.at(slot);
-      const Shape& other = state.shapes[side == 0 ? contact.b : contact.a];
-      const Body& obstacle = state.bodyOf(other);
-      if (contact.passable || !isObstacle(state, body, obstacle)) return true;
-      const float target = contactSlop(shape, other);
-      const geometry::Motion otherMotion{obstacle.pose, obstacle.center, obstacle.velocity, obstacle.angularVelocity};
-      const geometry::Impact impact = geometry::timeOfImpact(proxyOf(shape, state.meshes), motion, proxyOf(other, state.meshes),
-                                                             otherMotion, time, target);
-      // A pair that touches already is the solver's: stopping it at time 0 would hold it in place while its velocity grows.
-      if (impact.hit && impact.time > 0.0f && (!stop.hit || impact.time < stop.time)) stop = {true, impact.time, Vec3(-impact.normal)};
-      return true;
-    });
+void moveAnimated(State& state) {
+  state.bodies.forEach([&](BodyHandle, Body& body) {
+    if (body.type != BodyType::Animated || !body.hasTarget) return;
+    body.pose = body.target;
+    body.placeByPose();
+    body.hasTarget = false;
   });
-  return stop;
 }
 
-/// Moves to the first obstacle, then along it with what is left of the time. Velocity is left alone: the next tick's contact
-/// deals with it.
-void moveSwept(State& state, Body& body, float time) {
-  const Vec3 velocity = body.velocity;
-  const Vec3 spin = body.angularVelocity;
-  for (int i = 0; i < kMaxSlides && time > 0.0f; ++i) {
-    const Stop stop = firstObstacle(state, body, time);
-    moveBody(body, stop.hit ? stop.time : time);
-    if (!stop.hit) break;
-    time -= stop.time;
-    body.velocity -= stop.normal * minOf(body.velocity.dot(stop.normal), 0.0f);
-    body.angularVelocity.setZero();
-    if (i == kMaxSlides - 1) time = 0.0f;
-  }
-  body.velocity = velocity;
-  body.angularVelocity = spin;
-}
-
-bool isFast(const Body& body, float time) {
-  const float way = (body.velocity.norm() + body.angularVelocity.norm() * body.radius) * time;
-  return way > kFastRatio * body.innerRadius;
-}
-
+/// A push turns a body by little: to first order, and back to unit length.
 void displace(Body& body, const Vec3& way, const Vec3& turn) {
   body.center += way;
-  body.pose.rotation = integrateRotation(body.pose.rotation, turn, 1.0f);
+  Quat& rotation = body.pose.rotation;
+  rotation.coeffs() += 0.5f * (Quat(0.0f, turn.x(), turn.y(), turn.z()) * rotation).coeffs();
+  rotation.normalize();
   body.placeByCenter();
 }
 
@@ -125,6 +71,12 @@ void pushApart(State& state, const Contact& contact) {
   }
 }
 
+bool isOverlapping(const Contact& contact) {
+  for (int i = 0; i < contact.manifold.count; ++i)
+    if (contact.manifold.points[i].separation <= 0.0f) return true;
+  return false;
+}
+
 }  // namespace
 
 void integrateVelocities(State& state, float dt) {
@@ -140,32 +92,22 @@ void integrateVelocities(State& state, float dt) {
 
 void integratePositions(State& state, float dt) {
   BR_ZONE("integrate positions");
-  state.bodies.forEach([&](BodyHandle, Body& body) {
-    if (body.type == BodyType::Animated && body.hasTarget) {
-      body.pose = body.target;
-      body.placeByPose();
-      body.hasTarget = false;
-    }
-    if (!body.isDynamic() || !body.awake) return;
-    const float time = dt - body.timeUsed;
-    body.timeUsed = 0.0f;
-    if (time <= 0.0f) return;
-    if (isFast(body, time)) {
-      ++state.counters.swept;
-      moveSwept(state, body, time);
-    } else {
-      moveBody(body, time);
-    }
-  });
+  findPairsOnTheWay(state, dt);
+  beginSweeps(state);
+  moveAnimated(state);
+  for (const Heavy& next : state.moveOrder) sweepBody(state, next.body, dt);
 }
 
 void correctPositions(State& state) {
+  state.overlapping.clear();
+  state.contacts.forEach([&](ContactHandle handle, const Contact& contact) {
+    if (isOverlapping(contact) && !contact.passable) state.overlapping.push_back(handle.index);
+  });
   for (int pass = 0; pass < state.accuracy.positionIterations; ++pass) {
-    state.contacts.forEach([&](ContactHandle, const Contact& contact) {
-      if (contact.manifold.count > 0 && !contact.passable) pushApart(state, contact);
-    });
+    for (const std::uint32_t slot : state.overlapping) pushApart(state, state.contacts.at(slot));
     state.jointSolver.correctPositions(state);
   }
+  confineBodies(state);
 }
 
 }  // namespace brittle::physics

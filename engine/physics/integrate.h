@@ -1,5 +1,5 @@
-// physics/integrate.h - velocities from forces before the solver, positions from velocities after it. Fast bodies are swept, so
-// that nothing small passes through what does not move out of its way.
+// physics/integrate.h - velocities from forces before the solver, positions from velocities after it. Fast bodies are
+// swept, so that nothing small passes through what does not move out of its way.
 #pragma once
 
 #include "engine/physics/state.h"

@@ -18,6 +18,7 @@
 #include "engine/physics/solver.h"
 #include "engine/physics/strikes.h"
 #include "engine/physics/solver_body.h"
+#include "engine/physics/sweep.h"
 
 namespace brittle::physics {
 
@@ -39,14 +40,19 @@ struct State {
   std::int32_t tick = 0;
   std::uint32_t nextAssembly = 1;
   std::vector<ShapeHandle> newShapes;  // made since the pairs were last searched
-  std::uint32_t nextSerial = 1;  // numbers bodies in order of making: seeds their breaking
+  std::uint32_t nextSerial = 1;        // numbers bodies in order of making: seeds their breaking
 
   // Rebuilt every tick; never read across ticks.
   std::vector<SolverBody> solverBodies;
-  std::vector<Aabb> shapeBoxes;         // by shape slot: tight, at the start of the tick
+  std::vector<Aabb> shapeBoxes;  // by shape slot: tight, at the start of the tick
   std::vector<ShapeHandle> wakeQueue;
-  std::vector<ShapeHandle> movedShapes; // left their box in the tree
+  std::vector<ShapeHandle> movedShapes;   // left their box in the tree
   std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next round
+  std::vector<Placement> placements;      // by body slot, of those awake: before positions are integrated
+  std::vector<Heavy> moveOrder;           // of those dynamic and awake
+  std::vector<Meeting> meetings;
+  std::vector<std::uint32_t> overlapping;   // contact slots
+  std::vector<std::uint32_t> firstMeeting;  // by body slot, or kNoMeeting
   JointSolver jointSolver;
   ContactSolver contactSolver;
   Strikes strikes;

@@ -10,7 +10,7 @@ throw{tick=316, x=0.299, y=-0.069}
 throw{tick=349, x=-0.300, y=-0.003}
 throw{tick=480, x=-0.244, y=0.035}
 throw{tick=489, x=0.318, y=-0.142}
-throw{tick=518, x=0.000, y=-0.011}
+throw{tick=518, x=0.020, y=-0.021}
 throw{tick=556, x=0.244, y=0.036}
 throw{tick=654, x=0.000, y=-0.010}
 throw{tick=687, x=0.000, y=-0.203}
