@@ -16,41 +16,6 @@ WorldDef weightless() {
   return def;
 }
 
-TEST(Sweep, AThinPlateDrivenFastTakesAlongWhatItMeets) {
-  for (int phase = 0; phase < 32; ++phase) {
-    World world(weightless());
-    const BodyHandle tile = addBox(world, bodyAt(Vec3(0.0f, 0.5f + 0.011f * static_cast<float>(phase), 0.0f)), kTile);
-    const BodyHandle plate = addBox(world, bodyAt(Vec3::Zero(), BodyType::Animated), kPlate);
-    for (int tick = 1; tick <= 10; ++tick) {
-      Transform target;
-      target.position.y() = 20.0f * kTick * static_cast<float>(tick);
-      world.animate(world.body(plate).assembly, target);
-      world.step(kTick);
-      ASSERT_GT(world.body(tile).center.y(), target.position.y()) << "phase " << phase << ", tick " << tick;
-    }
-  }
-}
-
-TEST(Sweep, AHeavyPlateThatFliesIsMetOnItsWayWhoeverWasMadeFirst) {
-  for (int phase = 0; phase < 32; ++phase) {
-    for (const bool plateFirst : {false, true}) {
-      World world(weightless());
-      BodyDef tileDef = bodyAt(Vec3(0.0f, 1.0f + 0.021f * static_cast<float>(phase), 0.0f));
-      tileDef.velocity = Vec3(0.0f, -60.0f, 0.0f);
-      BodyDef plateDef = bodyAt(Vec3::Zero());
-      plateDef.velocity = Vec3(0.0f, 20.0f, 0.0f);
-      BodyHandle tile, plate;
-      if (!plateFirst) tile = addBox(world, tileDef, kTile);
-      plate = addBox(world, plateDef, kPlate, shapeDef(7800.0f));
-      if (plateFirst) tile = addBox(world, tileDef, kTile);
-      for (int tick = 0; tick < 10; ++tick) {
-        world.step(kTick);
-        ASSERT_GT(world.body(tile).center.y(), world.body(plate).center.y()) << "phase " << phase << ", tick " << tick;
-      }
-    }
-  }
-}
-
 TEST(Sweep, WhatIsHitDoesNotFlyThroughWhatWasOutOfItsReach) {
   for (int phase = 0; phase < 32; ++phase) {
     World world(weightless());
@@ -83,18 +48,6 @@ TEST(Sweep, WhatIsPressedStaysOnItsSide) {
       for (std::size_t i = 0; i < boxes.size(); ++i)
         ASSERT_GT(world.body(boxes[i]).center.y(), 0.0f) << "box " << i << " at " << speed << " m/s, tick " << tick;
     }
-  }
-}
-
-// How much what never moves would weigh is nobody's business.
-TEST(Sweep, AHeavyBallIsStoppedByAStaticPlateOfTheLightestKind) {
-  for (int phase = 0; phase < 64; ++phase) {
-    World world(weightless());
-    addBox(world, bodyAt(Vec3::Zero(), BodyType::Static), kPlate, shapeDef(2.0f));
-    const Vec3 start(0.0f, 0.5f + 0.105f * static_cast<float>(phase), 0.0f);
-    const BodyHandle ball = addBall(world, start, Vec3(0.0f, -200.0f, 0.0f), 0.05f, 1.0f);
-    for (int tick = 0; tick < 10; ++tick) world.step(kTick);
-    EXPECT_GT(world.body(ball).center.y(), 0.0f) << "phase " << phase;
   }
 }
 
