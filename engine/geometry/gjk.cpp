@@ -48,7 +48,8 @@ std::uint32_t farthestVertex(const Proxy& proxy, const Vec3d& direction) {
   double bestAlong = -1.0e300;
   for (std::uint32_t i = 0; i < count; ++i, ++vertex) {
     const float* p = vertex->point.data();
-    const double along = (x * static_cast<double>(p[0]) + y * static_cast<double>(p[1])) + z * static_cast<double>(p[2]);
+    const double along =
+        (x * static_cast<double>(p[0]) + y * static_cast<double>(p[1])) + z * static_cast<double>(p[2]);
     if (along > bestAlong) {
       bestAlong = along;
       best = i;
@@ -68,6 +69,7 @@ struct Search {
   Simplex simplex;
   Vec3d nearest = Vec3d::Zero();  // of A - B
   double upper = 0.0;             // [m]
+  double lower = 0.0;             // [m] of an `apart` one: along `nearest` it is at least that far apart
   bool apart = false;             // known to be further apart than `stopAbove`
   bool overlapping = false;       // the origin is inside, or too near to tell
 };
@@ -93,10 +95,12 @@ bool holds(const Simplex& simplex, const SimplexVertex& vertex) {
   return false;
 }
 
-double sizeOf(const SimplexVertex& vertex) { return vertex.w.cwiseAbs().maxCoeff(); }
+double sizeOf(const SimplexVertex& vertex) {
+  return vertex.w.cwiseAbs().maxCoeff();
+}
 
-/// Walks the boundary of A - B towards the origin. Stops early when the distance is known to be above `stopAbove` or at most
-/// `stopBelow` [m].
+/// Walks the boundary of A - B towards the origin. Stops early when the distance is known to be above `stopAbove` or at
+/// most `stopBelow` [m].
 Search search(const Pair& pair, const SimplexCache& cache, double stopAbove, double stopBelow) {
   Search result;
   Simplex& simplex = result.simplex;
@@ -116,10 +120,12 @@ Search search(const Pair& pair, const SimplexCache& cache, double stopAbove, dou
     const double along = result.nearest.dot(next.w);
     if (along > stopAbove * result.upper) {
       result.apart = true;
+      result.lower = along / result.upper;
       return result;
     }
     scale = maxOf(scale, sizeOf(next));
-    if (squared - along <= kRelativeGap * squared + kRounding * scale * result.upper || holds(simplex, next)) return result;
+    if (squared - along <= kRelativeGap * squared + kRounding * scale * result.upper || holds(simplex, next))
+      return result;
     simplex.vertices[simplex.count++] = next;
   }
   return result;
@@ -136,7 +142,8 @@ void remember(const Simplex& simplex, SimplexCache& cache) {
 /// Cores that touch or overlap.
 Penetration penetrationOf(const Pair& pair, const Simplex& simplex, std::uint32_t guess) {
   if (!pair.a.isSphere() && !pair.b.isSphere())
-    return leastPenetration(pair.a.convex, pair.b.convex, pair.pose, simplex.vertices[0].indexA, simplex.vertices[0].indexB, guess);
+    return leastPenetration(pair.a.convex, pair.b.convex, pair.pose, simplex.vertices[0].indexA,
+                            simplex.vertices[0].indexB, guess);
   if (!pair.a.isSphere()) return pointPenetration(pair.a.convex, pair.pose.apply(pair.b.center));
   Penetration result;
   if (pair.b.isSphere()) {
@@ -156,10 +163,18 @@ Penetration penetrationOf(const Pair& pair, const Simplex& simplex, std::uint32_
 
 }  // namespace
 
-Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB, SimplexCache& cache) {
+Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB,
+                      SimplexCache& cache, float stopAbove) {
   const Pair pair(a, poseA, b, poseB);
-  const Search found = search(pair, cache, 1.0e300, 0.0);
+  // A millionth more, so that what is found to be further apart still is after rounding to float.
+  const Search found = search(pair, cache, (static_cast<double>(stopAbove) + pair.radii()) * (1.0 + 1e-6), 0.0);
   remember(found.simplex, cache);
+  if (found.apart) {
+    Separation far;
+    far.distance = static_cast<float>(found.lower - pair.radii());
+    far.normal = (rotationMatrix(poseA.rotation) * (found.nearest / -found.upper)).cast<float>();
+    return far;
+  }
   Penetration core;
   if (found.overlapping) {
     core = penetrationOf(pair, found.simplex, cache.axis);

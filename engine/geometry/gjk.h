@@ -1,6 +1,6 @@
-// geometry/gjk.h - distance and overlap of two convex point sets, each with a radius (a sphere is one point with a radius).
-// Source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects, 1988; van den Bergen,
-// A Fast and Robust GJK Implementation, 1999.
+// geometry/gjk.h - distance and overlap of two convex point sets, each with a radius (a sphere is one point with a
+// radius). Source: Gilbert, Johnson, Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects,
+// 1988; van den Bergen, A Fast and Robust GJK Implementation, 1999.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace brittle::geometry {
 
 /// One of the two things: a convex (points from its vertices) or a sphere about `center`.
 struct Proxy {
-  ConvexView convex;            // empty for a sphere
-  Vec3 center = Vec3::Zero();   // sphere only, local [m]
-  float radius = 0.0f;          // [m]; 0 for a convex
+  ConvexView convex;           // empty for a sphere
+  Vec3 center = Vec3::Zero();  // sphere only, local [m]
+  float radius = 0.0f;         // [m]; 0 for a convex
   bool isSphere() const { return convex.vertices.empty(); }
 };
 
-/// The vertices the last call ended with, and the face that gave the least depth: a warm start for the next one of the same
-/// pair. It saves time and changes no answer beyond rounding. Any content is legal. Part of snapshots.
+/// The vertices the last call ended with, and the face that gave the least depth: a warm start for the next one of the
+/// same pair. It saves time and changes no answer beyond rounding. Any content is legal. Part of snapshots.
 struct SimplexCache {
   std::uint8_t count = 0;
   std::uint16_t a[4] = {};
@@ -35,15 +35,20 @@ struct Separation {
   Vec3 pointB = Vec3::Zero();
 };
 
-/// Distance between A at `poseA` and B at `poseB`. Separated or touching: closest points. Overlapping (deeper than the radii):
-/// the penetration along the axis of least depth (faces of both and edge pairs). Never returns a non-finite number for
-/// finite input; terminates within a fixed number of iterations whatever the input.
-Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB, SimplexCache& cache);
+/// Distance between A at `poseA` and B at `poseB`. Separated or touching: closest points. Overlapping (deeper than the
+/// radii): the penetration along the axis of least depth (faces of both and edge pairs). Never returns a non-finite
+/// number for finite input; terminates within a fixed number of iterations whatever the input. A pair further apart
+/// than `stopAbove` [m] may be given any distance from there to the true one, with some axis along which it is that far
+/// apart and no closest points.
+Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB,
+                      SimplexCache& cache, float stopAbove = 3.0e38f);
 
-/// True if the two overlap or come closer than `margin` [m] >= 0: overlap in configuration space, early out as soon as known.
+/// True if the two overlap or come closer than `margin` [m] >= 0: overlap in configuration space, early out as soon as
+/// known.
 bool overlaps(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB, float margin);
 
-/// How a proxy moves in one tick: from `pose`, with the velocity of the point `center` [m/s] and angular velocity [rad/s].
+/// How a proxy moves in one tick: from `pose`, with the velocity of the point `center` [m/s] and angular velocity
+/// [rad/s].
 struct Motion {
   Transform pose;
   Vec3 center = Vec3::Zero();  // world, the point `velocity` belongs to (the centre of mass)
@@ -61,12 +66,13 @@ struct Impact {
   Vec3 point = Vec3::Zero();    // world
 };
 
-/// First time in [0, duration] at which the two come within `target` [m] > 0 while approaching. A pair already within the
-/// target at time 0 hits at 0 if it approaches (by more than target/100 within the duration), else never. Conservative
-/// advancement: never reports a time after the true one by more than target/speed, and never a hit for a pair whose least
-/// distance stays above `target`. A graze that comes between 0.75 target and target may count as a miss.
-/// Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
-Impact timeOfImpact(const Proxy& a, const Motion& motionA, const Proxy& b, const Motion& motionB, float duration, float target);
+/// First time in [0, duration] at which the two come within `target` [m] > 0 while approaching. A pair already within
+/// the target at time 0 hits at 0 if it approaches (by more than target/100 within the duration), else never.
+/// Conservative advancement: never reports a time after the true one by more than target/speed, and never a hit for a
+/// pair whose least distance stays above `target`. A graze that comes between 0.75 target and target may count as a
+/// miss. Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
+Impact timeOfImpact(const Proxy& a, const Motion& motionA, const Proxy& b, const Motion& motionB, float duration,
+                    float target);
 
 struct RayHit {
   bool hit = false;

@@ -22,11 +22,12 @@ class DynamicTree {
   const Aabb& box(std::uint32_t proxy) const { return nodes_[proxy].box; }
   std::uint32_t userData(std::uint32_t proxy) const { return nodes_[proxy].userData; }
 
-  /// Calls visit(userData) for every leaf whose box overlaps; stops when it answers false. The visitor may not change the tree.
+  /// Calls visit(userData) for every leaf whose box overlaps; stops when it answers false. The visitor may not change
+  /// the tree.
   template <class Visit>
   void query(const Aabb& box, Visit&& visit) const;
-  /// Calls visit(userData) for every leaf whose box the segment, swept by a ball of `radius` [m], may touch; the answer is the
-  /// fraction to shorten the segment to (1: go on as before, 0: stop).
+  /// Calls visit(userData) for every leaf whose box the segment, swept by a ball of `radius` [m], may touch; the answer
+  /// is the fraction to shorten the segment to (1: go on as before, 0: stop).
   template <class Visit>
   void castRay(const Vec3& from, const Vec3& to, Visit&& visit, float radius = 0.0f) const;
 
@@ -53,7 +54,7 @@ class DynamicTree {
     Aabb box;
     std::uint32_t parent = kNull;  // free nodes: the next free one
     std::uint32_t child[2] = {kNull, kNull};
-    std::int32_t height = 0;       // leaves 0, free nodes -1
+    std::int32_t height = 0;  // leaves 0, free nodes -1
     std::uint32_t userData = 0;
     bool isLeaf() const { return child[0] == kNull; }
     template <class Archive>
@@ -79,8 +80,8 @@ class DynamicTree {
   void swapDown(std::uint32_t top, int side, int grandchild);
   const char* findNodeError(std::uint32_t index) const;
 
-  /// The node that follows `index` and all below it in depth-first order. Climbing by parents needs no stack, so no height of
-  /// the tree can overflow one.
+  /// The node that follows `index` and all below it in depth-first order. Climbing by parents needs no stack, so no
+  /// height of the tree can overflow one.
   std::uint32_t nextAfter(std::uint32_t index) const {
     for (;;) {
       const std::uint32_t parent = nodes_[index].parent;
@@ -96,8 +97,8 @@ class DynamicTree {
   std::uint32_t leafCount_ = 0;
 };
 
-/// True if the segment may touch the box: separating axes, widened for rounding. `middle` and `half` describe the segment.
-/// Source: Ericson, Real-Time Collision Detection, 2005, 5.3.3.
+/// True if the segment may touch the box: separating axes, widened for rounding. `middle` and `half` describe the
+/// segment. Source: Ericson, Real-Time Collision Detection, 2005, 5.3.3.
 inline bool mayTouch(const Aabb& box, const Vec3& middle, const Vec3& half, float radius) {
   const Vec3 extent = 0.5f * (box.high - box.low);
   const Vec3 m = middle - 0.5f * (box.high + box.low);
@@ -134,10 +135,12 @@ void DynamicTree::castRay(const Vec3& from, const Vec3& to, Visit&& visit, float
   float fraction = 1.0f;
   Vec3 half = 0.5f * (to - from);
   Vec3 middle = from + half;
+  Aabb around{from.cwiseMin(to), from.cwiseMax(to)};  // most nodes are nowhere near: six comparisons say so
+  around = around.grownBy(radius + 1e-5f * (from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff()));
   std::uint32_t index = root_;
   while (index != kNull) {
     const Node& node = nodes_[index];
-    if (mayTouch(node.box, middle, half, radius)) {
+    if (node.box.overlaps(around) && mayTouch(node.box, middle, half, radius)) {
       if (!node.isLeaf()) {
         index = node.child[0];
         continue;

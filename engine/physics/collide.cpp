@@ -44,10 +44,22 @@ bool mayTouch(const State& state, const Shape& a, const Shape& b) {
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
   if (!bodyA.isDynamic() && !bodyB.isDynamic()) return false;
-  return state.joints.size() == 0 || !jointForbidsCollision(state, a.body, b.body);
+  const bool jointed = state.jointedBodies[a.body.index] && state.jointedBodies[b.body.index];
+  return !jointed || !jointForbidsCollision(state, a.body, b.body);
+}
+
+/// Few bodies hang on joints: only pairs of those are looked up in the list of all joints.
+void markJointedBodies(State& state) {
+  state.jointedBodies.assign(state.bodies.capacity(), false);
+  state.joints.forEach([&](JointHandle, const Joint& joint) {
+    for (const ShapeHandle handle : {joint.a, joint.b})
+      if (const Shape* shape = state.shapes.find(handle)) state.jointedBodies[shape->body.index] = true;
+  });
 }
 
 void findPairs(State& state) {
+  if (state.movedShapes.empty()) return;
+  markJointedBodies(state);
   for (const ShapeHandle handle : state.movedShapes) {
     if (!state.shapes.contains(handle)) continue;  // made and removed again between ticks
     const Shape& shape = state.shapes[handle];
@@ -119,9 +131,7 @@ void forgetIfTurned(const State& state, const Vec3& normalBefore, float dt, Cont
   const Body& b = state.bodyOf(state.shapes[contact.b]);
   const float turn = (a.angularVelocity - b.angularVelocity).norm() * dt;
   if (turn < kMaxTurn && manifold.normal.dot(normalBefore) > kSameNormal) return;
-  for (ManifoldPoint& point : manifold.points) point.normalImpulse = 0.0f;
-  manifold.frictionImpulse.setZero();
-  manifold.twistImpulse = 0.0f;
+  manifold.forgetImpulses();
 }
 
 /// Still near enough to stay a pair?
@@ -193,10 +203,15 @@ void detectCollisionsOf(State& state, const std::vector<BodyHandle>& bodies, flo
     forEachShape(state, body, [&](ShapeHandle shape, Shape& value) { updateProxy(state, shape, value, body, dt); });
   }
   findPairs(state);
+  const std::uint32_t search = ++state.searches;
   for (const BodyHandle handle : bodies) {
     forEachShape(state, state.bodies[handle], [&](ShapeHandle, Shape& shape) {
       forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t) {
-        if (!state.contacts.at(slot).manifold.seeded) updateContactAt(state, state.contacts.handleAt(slot), dt);
+        Contact& contact = state.contacts.at(slot);
+        if (contact.manifold.seeded || contact.search == search)
+          return true;  // known from the cut, or seen from the other body
+        contact.search = search;
+        updateContactAt(state, state.contacts.handleAt(slot), dt);
         return true;
       });
     });

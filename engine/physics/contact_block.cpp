@@ -5,12 +5,17 @@
 namespace brittle::physics {
 namespace {
 
-// Each solve is held to the impulses it starts from by this part of the diagonal. Four points under one face are redundant, and rows in
-// single precision make their matrix indefinite by 1e-7 of it; what this leaves undone the next sweep does.
+// Each solve is held to the impulses it starts from by this part of the diagonal. Four points under one face are
+// redundant, and rows in single precision make their matrix indefinite by 1e-7 of it; what this leaves undone the next
+// sweep does.
 constexpr double kSoftness = 1e-5;
-constexpr int kMaxPivots = 24;
+constexpr double kClosing = 1e-6;  // [m/s] slower is rounding
+constexpr int kPatience = 3;       // exchanges that do not help before it goes on row by row
+constexpr int kMaxSteps = 64;
 
-Vec3 narrow(const Wide3<float>& v) { return Vec3(v.x, v.y, v.z); }
+Vec3 narrow(const Wide3<float>& v) {
+  return Vec3(v.x, v.y, v.z);
+}
 
 double dotOf(const Wide3<float>& a, const Vec3& b) {
   return static_cast<double>(a.x) * b.x() + static_cast<double>(a.y) * b.y() + static_cast<double>(a.z) * b.z();
@@ -38,8 +43,8 @@ double entry(const Single& a, const Row<float>& rowA, const Single& b, const Row
 double speedOf(const Single& single, const Row<float>& row, const std::vector<SolverBody>& bodies) {
   const SolverBody& a = bodies[single.bodyA];
   const SolverBody& b = bodies[single.bodyB];
-  return dotOf(single.rows.normal, b.velocity) - dotOf(single.rows.normal, a.velocity) + dotOf(row.angularB, b.angularVelocity) -
-         dotOf(row.angularA, a.angularVelocity);
+  return dotOf(single.rows.normal, b.velocity) - dotOf(single.rows.normal, a.velocity) +
+         dotOf(row.angularB, b.angularVelocity) - dotOf(row.angularA, a.angularVelocity);
 }
 
 /// Takes in the present speeds and impulses. True if every row is already as it should be.
@@ -58,12 +63,24 @@ bool isSolved(const Single* singles, const std::vector<SolverBody>& bodies, Bloc
   return solved;
 }
 
+/// What holds a row to the impulse it starts from. [m/s] per N s
+double softness(const Block& block, int i) {
+  return kSoftness * block.matrix[i][i];
+}
+
 void start(Block& block) {
   for (int i = 0; i < block.count; ++i) {
-    block.free[i] = block.speed[i];
+    block.free[i] = block.speed[i] - softness(block, i) * block.rows[i].start;
     for (int j = 0; j < block.count; ++j) block.free[i] -= block.matrix[i][j] * block.rows[j].start;
     block.rows[i].active = block.rows[i].start > 0.0 || block.free[i] < 0.0;
   }
+}
+
+/// Speed of a row above target, softness included, at the block's impulses.
+double speedAt(const Block& block, int i) {
+  double speed = block.free[i] + softness(block, i) * block.rows[i].impulse;
+  for (int j = 0; j < block.count; ++j) speed += block.matrix[i][j] * block.rows[j].impulse;
+  return speed;
 }
 
 /// The impulses of the active rows that bring each exactly to its target, the fixed ones as they are. LDL^T in place.
@@ -76,14 +93,14 @@ void solveActive(Block& block) {
   double d[kMaxBlockRows];
   double x[kMaxBlockRows];
   for (int i = 0; i < n; ++i) {
-    x[i] = kSoftness * block.matrix[index[i]][index[i]] * block.rows[index[i]].start - block.free[index[i]];
+    x[i] = -block.free[index[i]];
     for (int j = 0; j < block.count; ++j)
       if (block.rows[j].fixed) x[i] -= block.matrix[index[i]][j] * block.rows[j].impulse;
   }
   for (int j = 0; j < n; ++j) {
-    double pivot = block.matrix[index[j]][index[j]] * (1.0 + kSoftness);
+    double pivot = block.matrix[index[j]][index[j]] + softness(block, index[j]);
     for (int k = 0; k < j; ++k) pivot -= l[j][k] * l[j][k] * d[k];
-    d[j] = maxOf(pivot, block.matrix[index[j]][index[j]] * kSoftness);
+    d[j] = maxOf(pivot, softness(block, index[j]));
     for (int i = j + 1; i < n; ++i) {
       double sum = block.matrix[index[i]][index[j]];
       for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k] * d[k];
@@ -100,36 +117,75 @@ void solveActive(Block& block) {
   for (int i = 0; i < n; ++i) block.rows[index[i]].impulse = x[i];
 }
 
-/// Drops every pulling row; if none pulls, takes in the row that closes fastest. False: done.
-bool pivot(Block& block) {
-  bool dropped = false;
-  for (int i = 0; i < block.count; ++i) {
-    if (block.rows[i].fixed || !block.rows[i].active || block.rows[i].impulse >= 0.0) continue;
-    block.rows[i].active = false;
-    dropped = true;
+/// A row on the wrong side: active though it would pull, or left out though it closes.
+bool isWrong(const Block& block, int i) {
+  const BlockRow& row = block.rows[i];
+  if (row.fixed) return false;
+  return row.active ? row.impulse < 0.0 : speedAt(block, i) < -kClosing;
+}
+
+/// Exchanges all wrong rows until none is: fast, but it may run in circles. False: they have not been getting fewer.
+/// Source: Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone LCPs, 1994.
+bool exchangeAll(Block& block) {
+  int fewest = kMaxBlockRows + 1;
+  for (int patience = kPatience; patience > 0;) {
+    solveActive(block);
+    int wrong[kMaxBlockRows];
+    int count = 0;
+    for (int i = 0; i < block.count; ++i)
+      if (isWrong(block, i)) wrong[count++] = i;
+    if (count == 0) return true;
+    patience = count < fewest ? kPatience : patience - 1;
+    fewest = minOf(fewest, count);
+    for (int k = 0; k < count; ++k) block.rows[wrong[k]].active = !block.rows[wrong[k]].active;
   }
-  if (dropped) return true;
-  int worst = -1;
-  double slowest = -1e-9;
+  return false;
+}
+
+/// From the impulses `now` as far towards those of solveActive as none pulls; what has come to zero is left out. True:
+/// all the way.
+bool stepTowards(Block& block, double (&now)[kMaxBlockRows]) {
+  double part = 1.0;
+  for (int i = 0; i < block.count; ++i)
+    if (block.rows[i].active && block.rows[i].impulse < 0.0)
+      part = minOf(part, now[i] / (now[i] - block.rows[i].impulse));
   for (int i = 0; i < block.count; ++i) {
-    if (block.rows[i].fixed || block.rows[i].active) continue;
-    double speed = block.free[i];
-    for (int j = 0; j < block.count; ++j) speed += block.matrix[i][j] * block.rows[j].impulse;
-    if (speed >= slowest) continue;
-    slowest = speed;
-    worst = i;
+    BlockRow& row = block.rows[i];
+    if (row.fixed || !row.active) continue;
+    const bool ends = row.impulse < 0.0 && now[i] <= part * (now[i] - row.impulse);
+    now[i] = ends ? 0.0 : now[i] + part * (row.impulse - now[i]);
+    row.active = !ends;
+    row.impulse = now[i];
   }
-  if (worst >= 0) block.rows[worst].active = true;
-  return worst >= 0;
+  return part == 1.0;
+}
+
+/// One row after the other from the impulses of the start. Each step takes energy out, so it may end anywhere.
+/// Source: Lawson, Hanson, Solving Least Squares Problems, 1974, chapter 23.
+void descend(Block& block) {
+  double now[kMaxBlockRows];
+  for (int i = 0; i < block.count; ++i) {
+    now[i] = block.rows[i].fixed ? block.rows[i].impulse : block.rows[i].start;
+    block.rows[i].active = now[i] > 0.0;
+  }
+  for (int step = 0; step < kMaxSteps; ++step) {
+    solveActive(block);
+    if (!stepTowards(block, now)) continue;
+    int worst = -1;
+    double slowest = -kClosing;
+    for (int i = 0; i < block.count; ++i) {
+      if (block.rows[i].fixed || block.rows[i].active || speedAt(block, i) >= slowest) continue;
+      slowest = speedAt(block, i);
+      worst = i;
+    }
+    if (worst < 0) return;
+    block.rows[worst].active = true;
+  }
+  for (int i = 0; i < block.count; ++i) block.rows[i].impulse = now[i];
 }
 
 void solveRows(Block& block) {
-  for (int i = 0; i < kMaxPivots; ++i) {
-    solveActive(block);
-    if (!pivot(block)) return;
-  }
-  for (int i = 0; i < block.count; ++i)  // cycling: keep what pushes
-    if (block.rows[i].impulse < 0.0) block.rows[i].impulse = 0.0;
+  if (!exchangeAll(block)) descend(block);
 }
 
 bool applyLimits(const BlockLimit* limits, std::uint32_t limitCount, Block& block) {
@@ -154,7 +210,8 @@ bool applyLimits(const BlockLimit* limits, std::uint32_t limitCount, Block& bloc
   return exceeded;
 }
 
-/// Applies the new impulses. The light body's large opposite ones are summed in double, so that what is left of them is right.
+/// Applies the new impulses. The light body's large opposite ones are summed in double, so that what is left of them is
+/// right.
 void applyRows(const Block& block, std::uint32_t light, Single* singles, std::vector<SolverBody>& bodies) {
   Vec3d linear = bodies[light].velocity.cast<double>();
   Vec3d angular = bodies[light].angularVelocity.cast<double>();

@@ -1,7 +1,7 @@
-// physics/contact_block.h - all normal rows of one light body between heavy ones, solved together. One at a time, impulses would creep
-// through it by the ratio of the masses per iteration; solved at once, a light shard between a ball and a pane passes on what it
-// must, and a light box carries a heavy one.
-// Source: Cottle, Pang, Stone, The Linear Complementarity Problem, 1992 (principal pivoting); Catto, Box2D's block solver, 2006.
+// physics/contact_block.h - all normal rows of one light body between heavy ones, solved together. One at a time,
+// impulses would creep through it by the ratio of the masses per iteration; solved at once, a light shard between a
+// ball and a pane passes on what it must, and a light box carries a heavy one. Source: Cottle, Pang, Stone, The Linear
+// Complementarity Problem, 1992 (principal pivoting); Catto, Box2D's block solver, 2006.
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,9 @@ struct BlockLimit {
 struct BlockRow {
   std::uint32_t single = 0;
   int point = 0;
-  bool fixed = false;    // at its limit: known, not solved for
-  bool active = false;   // its impulse is positive
-  double start = 0.0;    // impulse before [N s]
+  bool fixed = false;   // at its limit: known, not solved for
+  bool active = false;  // its impulse is positive
+  double start = 0.0;   // impulse before [N s]
   double impulse = 0.0;
 };
 
@@ -48,9 +48,10 @@ struct Block {
 
 void buildBlock(const Single* singles, std::uint32_t count, Block& block);
 
-/// All contacts of the body `light`: finds normal impulses for all rows of `singles` that leave every row at or above its target speed, none negative, and applies
-/// the change to the bodies. Where a limit is exceeded, its rows are scaled down to it and the others are solved again.
-/// Deterministic; at most a few factorisations of a kMaxBlockRows matrix.
+/// All contacts of the body `light`: finds normal impulses for all rows of `singles` that leave every row at or above
+/// its target speed, none negative, and applies the change to the bodies. Where a limit is exceeded, its rows are
+/// scaled down to it and the others are solved again. Deterministic; at most a few factorisations of a kMaxBlockRows
+/// matrix.
 void solveBlock(std::uint32_t light, Single* singles, const BlockLimit* limits, std::uint32_t limitCount,
                 std::vector<SolverBody>& bodies, Block& block);
 

@@ -14,18 +14,19 @@ using geometry::Proxy;
 using geometry::RelativePose;
 using geometry::Separation;
 
-// Cosines between a face's normal and the direction of least distance. Chosen: 11 degrees is where two facing faces still touch
-// like faces; the exact one only forgives rounding.
+// Cosines between a face's normal and the direction of least distance. Chosen: 11 degrees is where two facing faces
+// still touch like faces; the exact one only forgives rounding.
 constexpr float kFacing = 0.98f;
 constexpr float kExactlyFacing = 0.99999f;
-constexpr float kPreferA = 1e-6f;         // of two equally good faces A's is the reference, so that the normal does not flip
-constexpr float kNear = 0.25f;            // of the size: closer than this counts as touching [-]
-constexpr float kDepthBand = 0.02f;       // of the size: depths within it are equal [-]
-constexpr float kBesideFace = 0.5f;       // of the size: corners that are this near the deepest point count beside the face's [-]
-constexpr float kMergeRadius = 0.2f;      // of the size: a new point this near an old one replaces it (incremental) [-]
-constexpr float kMaxDrift = 0.25f;        // of the size: sideways drift after which a point is dropped (incremental) [-]
-constexpr float kTooDeep = 0.1f;          // of the size: overlaps deeper than this get all points at once (incremental) [-]
-constexpr float kMaxTurn = 0.035f;        // two degrees: recompute after that [rad]
+constexpr float kPreferA = 1e-6f;    // of two equally good faces A's is the reference, so that the normal does not flip
+constexpr float kNear = 0.25f;       // of the size: closer than this counts as touching [-]
+constexpr float kDepthBand = 0.02f;  // of the size: depths within it are equal [-]
+constexpr float kBesideFace =
+    0.5f;  // of the size: corners that are this near the deepest point count beside the face's [-]
+constexpr float kMergeRadius = 0.2f;  // of the size: a new point this near an old one replaces it (incremental) [-]
+constexpr float kMaxDrift = 0.25f;    // of the size: sideways drift after which a point is dropped (incremental) [-]
+constexpr float kTooDeep = 0.1f;      // of the size: overlaps deeper than this get all points at once (incremental) [-]
+constexpr float kMaxTurn = 0.035f;    // two degrees: recompute after that [rad]
 
 struct Scratch {
   std::vector<Vec3> reference, polygon, clip;
@@ -48,13 +49,16 @@ struct View {
   float margin;       // [m]
 
   Vec3 toA(const Vec3& localB) const { return pose.apply(localB).cast<float>(); }
-  Vec3 toB(const Vec3& localA) const { return (pose.rotation.transpose() * (localA.cast<double>() - pose.translation)).cast<float>(); }
+  Vec3 toB(const Vec3& localA) const {
+    return (pose.rotation.transpose() * (localA.cast<double>() - pose.translation)).cast<float>();
+  }
 };
 
 /// Separations along the kept normal, in A's frame. False if a point is beyond the margin by now.
 bool refresh(const View& view, Manifold& manifold) {
   manifold.normal = (manifold.normalOfB ? view.poseB : view.poseA).rotate(manifold.localNormal);
-  const Vec3d normal = manifold.normalOfB ? view.pose.rotate(manifold.localNormal) : Vec3d(manifold.localNormal.cast<double>());
+  const Vec3d normal =
+      manifold.normalOfB ? view.pose.rotate(manifold.localNormal) : Vec3d(manifold.localNormal.cast<double>());
   for (int i = 0; i < manifold.count; ++i) {
     ManifoldPoint& point = manifold.points[i];
     point.separation = static_cast<float>(normal.dot(view.pose.apply(point.localB) - point.localA.cast<double>()));
@@ -78,11 +82,13 @@ bool hardlyMoved(const View& view, const ManifoldSettings& settings, const Manif
 
 float reachFrom(const Proxy& proxy, const Vec3& local) {
   float squared = 0.0f;
-  for (const geometry::Vertex& vertex : proxy.convex.vertices) squared = maxOf(squared, (vertex.point - local).squaredNorm());
+  for (const geometry::Vertex& vertex : proxy.convex.vertices)
+    squared = maxOf(squared, (vertex.point - local).squaredNorm());
   return std::sqrt(squared);
 }
 
-/// The corners of a face in A's frame, relative to `origin` (so that rounding is relative to the contact, not to the frame).
+/// The corners of a face in A's frame, relative to `origin` (so that rounding is relative to the contact, not to the
+/// frame).
 void cornersOf(const geometry::ConvexView& convex, std::uint32_t face, const RelativePose& pose, const Vec3d& origin,
                std::vector<Vec3>& corners) {
   corners.clear();
@@ -96,12 +102,14 @@ void cornersOf(const geometry::ConvexView& convex, std::uint32_t face, const Rel
 
 void addCandidate(const Vec3& corner, const Vec3& normal, float separation, float sign, Scratch& s) {
   const Vec3 foot = corner - separation * normal;
-  if (sign > 0.0f) s.candidates.push_back({foot, corner, separation});
-  else s.candidates.push_back({corner, foot, separation});
+  if (sign > 0.0f)
+    s.candidates.push_back({foot, corner, separation});
+  else
+    s.candidates.push_back({corner, foot, separation});
 }
 
-/// Clips the incident face by the sides of the reference face. Points are relative to `origin`; `normal` points out of the
-/// reference face, `sign` is 1 if that face is A's.
+/// Clips the incident face by the sides of the reference face. Points are relative to `origin`; `normal` points out of
+/// the reference face, `sign` is 1 if that face is A's.
 void clipFaces(const Vec3& normal, float sign, const View& view, Scratch& s) {
   s.sides.clear();
   for (std::size_t i = 0; i < s.reference.size(); ++i) {
@@ -117,10 +125,10 @@ void clipFaces(const Vec3& normal, float sign, const View& view, Scratch& s) {
   }
 }
 
-/// Corners beside the incident face that are about as deep as it: a shard whose underside is folded would else rock from facet to
-/// facet, each with its own three points.
-void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& pose, const Vec3d& origin, const Vec3& normal,
-                      float sign, const View& view, Scratch& s) {
+/// Corners beside the incident face that are about as deep as it: a shard whose underside is folded would else rock
+/// from facet to facet, each with its own three points.
+void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& pose, const Vec3d& origin,
+                      const Vec3& normal, float sign, const View& view, Scratch& s) {
   float deepest = view.margin;
   for (const Candidate& candidate : s.candidates) deepest = minOf(deepest, candidate.separation);
   const float limit = minOf(view.margin, deepest + kBesideFace * view.size);
@@ -140,8 +148,8 @@ void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& 
 enum class Reference { None, OfA, OfB };  // whose face gives the normal
 
 /// Candidates of two facing faces, and the normal in A's frame. Leaves both alone if no face faces the other shape.
-Reference facePoints(const View& view, const Separation& closest, const Vec3& closestNormal, const Vec3d& origin, Scratch& s,
-                     Vec3& normal) {
+Reference facePoints(const View& view, const Separation& closest, const Vec3& closestNormal, const Vec3d& origin,
+                     Scratch& s, Vec3& normal) {
   const Vec3 towardsA = view.poseB.unrotate(Vec3(-closest.normal));
   const std::uint32_t faceA = geometry::supportFace(view.a.convex, closestNormal);
   const std::uint32_t faceB = geometry::supportFace(view.b.convex, towardsA);
@@ -157,8 +165,10 @@ Reference facePoints(const View& view, const Separation& closest, const Vec3& cl
                            : view.a.convex.faces[faceA].plane.normal;
   const float sign = ofB ? -1.0f : 1.0f;
   clipFaces(outward, sign, view, s);
-  if (ofB) addCornersBeside(view.a.convex, own, origin, outward, sign, view, s);
-  else addCornersBeside(view.b.convex, view.pose, origin, outward, sign, view, s);
+  if (ofB)
+    addCornersBeside(view.a.convex, own, origin, outward, sign, view, s);
+  else
+    addCornersBeside(view.b.convex, view.pose, origin, outward, sign, view, s);
   normal = ofB ? Vec3(-outward) : outward;
   return ofB ? Reference::OfB : Reference::OfA;
 }
@@ -186,19 +196,23 @@ float spreadOf(const Manifold& manifold) {
 void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
   Scratch& s = scratch();
   s.candidates.clear();
-  const ManifoldPoint old[kMaxPoints] = {manifold.points[0], manifold.points[1], manifold.points[2], manifold.points[3]};
+  const ManifoldPoint old[kMaxPoints] = {manifold.points[0], manifold.points[1], manifold.points[2],
+                                         manifold.points[3]};
   const int oldCount = manifold.count;
   const Vec3 origin = view.poseA.toLocal(closest.pointA);
   const Vec3 closestNormal = view.poseA.unrotate(closest.normal);
   Vec3 normal = closestNormal;
   const bool ball = view.a.isSphere() || view.b.isSphere();
-  const Reference reference = ball ? Reference::None : facePoints(view, closest, closestNormal, origin.cast<double>(), s, normal);
+  const Reference reference =
+      ball ? Reference::None : facePoints(view, closest, closestNormal, origin.cast<double>(), s, normal);
   const bool faces = reference != Reference::None;
-  // The closest point itself, unless the faces hold one as deep: the deepest corner need not belong to the face that faces A.
+  // The closest point itself, unless the faces hold one as deep: the deepest corner need not belong to the face that
+  // faces A.
   const Vec3 apart = view.poseA.unrotate(Vec3(closest.pointB - closest.pointA));
   const float separation = faces ? normal.dot(apart) : closest.distance;
   bool found = false;
-  for (const Candidate& candidate : s.candidates) found = found || candidate.separation <= separation + kDepthBand * view.size;
+  for (const Candidate& candidate : s.candidates)
+    found = found || candidate.separation <= separation + kDepthBand * view.size;
   if (!found) s.candidates.push_back({Vec3::Zero(), apart, separation});
   reducePoints(normal, kDepthBand * view.size, s.candidates);
   setPoints(view, origin, s, manifold);
@@ -209,7 +223,8 @@ void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
   keepImpulses(old, oldCount, ball ? 1.0e18f : maxOf(view.size, 0.25f * spreadOf(manifold)), manifold);
 }
 
-/// One more point each time. Returns true if four are known and the closest is one of them: nothing more is to be learned here.
+/// One more point each time. Returns true if four are known and the closest is one of them: nothing more is to be
+/// learned here.
 bool addClosest(const View& view, const Separation& closest, Manifold& manifold) {
   Scratch& s = scratch();
   s.candidates.clear();
@@ -244,21 +259,25 @@ bool addClosest(const View& view, const Separation& closest, Manifold& manifold)
 
 }  // namespace
 
-void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const Proxy& b, const Transform& poseB, float sizeB,
-                    float margin, const ManifoldSettings& settings, Manifold& manifold) {
+void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const Proxy& b, const Transform& poseB,
+                    float sizeB, float margin, const ManifoldSettings& settings, Manifold& manifold) {
   const View view{a, b, poseA, poseB, geometry::relativePose(poseA, poseB), minOf(sizeA, sizeB), margin};
   if (hardlyMoved(view, settings, manifold) && refresh(view, manifold)) return;
-  const Separation closest = geometry::separation(a, poseA, b, poseB, manifold.simplex);
+  const Separation closest = geometry::separation(a, poseA, b, poseB, manifold.simplex, margin);
   manifold.computed = false;
   if (closest.distance > margin) {
     manifold.count = 0;
     return;
   }
   bool settled = true;
-  // One point a tick cannot hold up what already sinks in: thin shards drop their points by turning, and would go on sinking.
-  const bool atOnce = settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere() || closest.distance < -kTooDeep * view.size;
-  if (atOnce) clipAll(view, closest, manifold);
-  else settled = addClosest(view, closest, manifold);
+  // One point a tick cannot hold up what already sinks in: thin shards drop their points by turning, and would go on
+  // sinking.
+  const bool atOnce = settings.kind == ManifoldKind::Clipped || a.isSphere() || b.isSphere() ||
+                      closest.distance < -kTooDeep * view.size;
+  if (atOnce)
+    clipAll(view, closest, manifold);
+  else
+    settled = addClosest(view, closest, manifold);
   if (!settled || a.isSphere() || b.isSphere()) return;
   manifold.computed = true;
   manifold.computedAt = relativeTo(poseA, poseB);

@@ -18,11 +18,16 @@ Wide3<Float4> gather(const std::uint32_t (&index)[kLanes], Get&& get) {
   return {Float4{p.x(), q.x(), r.x(), s.x()}, Float4{p.y(), q.y(), r.y(), s.y()}, Float4{p.z(), q.z(), r.z(), s.z()}};
 }
 
-Wide3<float> wide(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 narrow(const Wide3<float>& v) { return Vec3(v.x, v.y, v.z); }
+Wide3<float> wide(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Vec3 narrow(const Wide3<float>& v) {
+  return Vec3(v.x, v.y, v.z);
+}
 
 PairVelocity<float> load(const std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b) {
-  return {wide(bodies[a].velocity), wide(bodies[a].angularVelocity), wide(bodies[b].velocity), wide(bodies[b].angularVelocity)};
+  return {wide(bodies[a].velocity), wide(bodies[a].angularVelocity), wide(bodies[b].velocity),
+          wide(bodies[b].angularVelocity)};
 }
 
 void store(std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b, const PairVelocity<float>& v) {
@@ -32,7 +37,8 @@ void store(std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b, co
   bodies[b].angularVelocity = narrow(v.angularB);
 }
 
-PairVelocity<Float4> load(const std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes], const std::uint32_t (&b)[kLanes]) {
+PairVelocity<Float4> load(const std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes],
+                          const std::uint32_t (&b)[kLanes]) {
   const auto linear = [&](std::uint32_t i) -> const Vec3& { return bodies[i].velocity; };
   const auto angular = [&](std::uint32_t i) -> const Vec3& { return bodies[i].angularVelocity; };
   return {gather(a, linear), gather(a, angular), gather(b, linear), gather(b, angular)};
@@ -46,6 +52,12 @@ void store(std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes], co
     bodies[b[lane]].velocity = Vec3(v.linearB.x[lane], v.linearB.y[lane], v.linearB.z[lane]);
     bodies[b[lane]].angularVelocity = Vec3(v.angularB.x[lane], v.angularB.y[lane], v.angularB.z[lane]);
   }
+}
+
+/// Whether a point was hit hard enough to rebound.
+bool rebounds(const Contact& contact, int point) {
+  constexpr float kSlowest = 0.5f;  // [m/s] below, things come to rest; chosen by eye
+  return contact.approach[point] >= kSlowest && contact.manifold.points[point].normalImpulse > 0.0f;
 }
 
 }  // namespace
@@ -85,17 +97,19 @@ void ContactSolver::prepare(State& state, float dt, bool warmStart) {
   if (warmStart) warmStartRows(state);
 }
 
-// Greedy: each contact takes the first colour that neither of its moving bodies has yet. Slot order, so always the same.
+// Greedy: each contact takes the first colour that neither of its moving bodies has yet. Slot order, so always the
+// same.
 void ContactSolver::colorContacts(State& state) {
   for (auto& list : byColor_) list.clear();
   colorMasks_.assign(bodies_->size(), 0);
-  state.contacts.forEach([&](ContactHandle handle, Contact& contact) {
-    if (contact.manifold.count == 0 || contact.strike != kNoStrike || contact.solvedAlone) return;
+  for (const std::uint32_t slot : state.reach.contacts) {
+    const Contact& contact = state.contacts.at(slot);
+    if (contact.strike != kNoStrike || contact.solvedAlone) continue;
     const std::uint32_t a = state.shapes[contact.a].body.index;
     const std::uint32_t b = state.shapes[contact.b].body.index;
     const bool movesA = (*bodies_)[a].invMass > 0.0f;
     const bool movesB = (*bodies_)[b].invMass > 0.0f;
-    if (!movesA && !movesB) return;
+    if (!movesA && !movesB) continue;
     const std::uint32_t taken = (movesA ? colorMasks_[a] : 0u) | (movesB ? colorMasks_[b] : 0u);
     int color = 0;
     while (color < kColors && (taken >> color & 1u) != 0) ++color;
@@ -103,8 +117,8 @@ void ContactSolver::colorContacts(State& state) {
       if (movesA) colorMasks_[a] |= 1u << color;
       if (movesB) colorMasks_[b] |= 1u << color;
     }
-    byColor_[color].push_back(handle.index);
-  });
+    byColor_[color].push_back(slot);
+  }
 }
 
 void ContactSolver::buildBatches(State& state, float dt) {
@@ -131,21 +145,26 @@ void ContactSolver::buildBatches(State& state, float dt) {
   }
 }
 
-/// A body is light if something much heavier that moves pushes it: impulses through it would creep.
+/// The body slot of the one that something much heavier that moves pushes: impulses through it would creep. Or nobody.
+std::uint32_t ContactSolver::lighterOf(const State& state, const Contact& contact) const {
+  const float ratio = state.accuracy.directSolveMassRatio;
+  const std::uint32_t a = state.shapes[contact.a].body.index;
+  const std::uint32_t b = state.shapes[contact.b].body.index;
+  const float invMassA = (*bodies_)[a].invMass;
+  const float invMassB = (*bodies_)[b].invMass;
+  if (ratio <= 0.0f || invMassA == 0.0f || invMassB == 0.0f) return kNobody;
+  if (invMassA > ratio * invMassB) return a;
+  return invMassB > ratio * invMassA ? b : kNobody;
+}
+
 void ContactSolver::findLightBodies(State& state) {
   isLight_.assign(bodies_->size(), 0);
-  const float ratio = state.accuracy.directSolveMassRatio;
-  state.contacts.forEach([&](ContactHandle, Contact& contact) {
+  for (const std::uint32_t slot : state.reach.contacts) {
+    Contact& contact = state.contacts.at(slot);
     contact.solvedAlone = false;
-    if (contact.manifold.count == 0 || ratio <= 0.0f) return;
-    const std::uint32_t a = state.shapes[contact.a].body.index;
-    const std::uint32_t b = state.shapes[contact.b].body.index;
-    const float invMassA = (*bodies_)[a].invMass;
-    const float invMassB = (*bodies_)[b].invMass;
-    if (invMassA == 0.0f || invMassB == 0.0f) return;
-    if (invMassA > ratio * invMassB) isLight_[a] = 1;
-    if (invMassB > ratio * invMassA) isLight_[b] = 1;
-  });
+    const std::uint32_t light = lighterOf(state, contact);
+    if (light != kNobody) isLight_[light] = 1;
+  }
 }
 
 void ContactSolver::addSingle(State& state, std::uint32_t slot, float dt) {
@@ -171,7 +190,9 @@ void ContactSolver::buildBlock(State& state, std::uint32_t light, float dt) {
     forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
       const Contact& contact = state.contacts.at(slot);
       const bool waits = contact.strike != kNoStrike && !state.strikes.list[contact.strike].active;
-      if (contact.manifold.count == 0 || contact.solvedAlone || waits) return true;
+      const bool isTakenIn =
+          contact.manifold.count > 0 && state.reach.takesIn(state.shapes[contact.a].body, state.shapes[contact.b].body);
+      if (!isTakenIn || contact.solvedAlone || waits) return true;
       const std::uint32_t other = state.shapes[side == 0 ? contact.b : contact.a].body.index;
       squeezed = squeezed || (firstOther != kNobody && other != firstOther);
       firstOther = other;
@@ -195,7 +216,7 @@ void ContactSolver::buildBlock(State& state, std::uint32_t light, float dt) {
 
 void ContactSolver::buildStrikes(State& state, float dt) {
   for (const Strike& strike : state.strikes.list) {
-    if (!strike.active) continue;
+    if (!strike.active || !state.reach.takesIn(strike.body, strike.struck)) continue;
     const auto first = static_cast<std::uint32_t>(singles_.size());
     for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
       const std::uint32_t slot = state.strikes.contacts[strike.firstContact + i];
@@ -228,8 +249,9 @@ void ContactSolver::solve(State& state, int iterations) {
   }
 }
 
-// Every other sweep runs backwards: what travels through a stack in one direction only would tilt it. For the same reason, and as it
-// converges far better for what loading a contact costs, the points of one are visited there and back.
+// Every other sweep runs backwards: what travels through a stack in one direction only would tilt it. For the same
+// reason, and as it converges far better for what loading a contact costs, the points of one are visited there and
+// back.
 void ContactSolver::solveBatches(bool backwards) {
   for (std::uint32_t i = 0; i < batchCount_; ++i) {
     Batch& batch = batches_[backwards ? batchCount_ - 1 - i : i];
@@ -249,8 +271,10 @@ float ContactSolver::sumOf(std::uint32_t first, std::uint32_t end) const {
 
 void ContactSolver::solveGroups(State& state) {
   for (const Group& group : groups_) {
-    if (group.light != kNobody) solveLightBody(state, group);
-    else solveStrike(state, group);
+    if (group.light != kNobody)
+      solveLightBody(state, group);
+    else
+      solveStrike(state, group);
     for (std::uint32_t i = group.first; i < group.end; ++i) {
       PairVelocity<float> v = load(*bodies_, singles_[i].bodyA, singles_[i].bodyB);
       singles_[i].rows.solveFriction(v);
@@ -276,10 +300,12 @@ void ContactSolver::solveLightBody(State& state, const Group& group) {
   solveBlock(group.light, &singles_[group.first], limits_.data(), static_cast<std::uint32_t>(limits_.size()), *bodies_,
              blocks_[group.block]);
   for (const BlockLimit& limit : limits_)
-    state.strikes.list[singles_[group.first + limit.first].strike].impulse += sumOf(group.first + limit.first, group.first + limit.end);
+    state.strikes.list[singles_[group.first + limit.first].strike].impulse +=
+        sumOf(group.first + limit.first, group.first + limit.end);
 }
 
-// Normals of a whole strike first, then its cap, which scales all points alike, so that a flat hit is capped without being turned.
+// Normals of a whole strike first, then its cap, which scales all points alike, so that a flat hit is capped without
+// being turned.
 void ContactSolver::solveStrike(State& state, const Group& group) {
   const std::uint32_t s = singles_[group.first].strike;
   Strike& strike = state.strikes.list[s];
@@ -291,7 +317,8 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
     physics::store(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);
-  const float left = maxOf(minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse, 0.0f);
+  const float left =
+      maxOf(minOf(strike.capacity - spentByPartners(state.strikes, s), strike.limit) - strike.impulse, 0.0f);
   if (sum > left && strike.isCapped) scaleNormals(group, left / sum);
   strike.impulse += sumOf(group.first, group.end);
 }
@@ -320,10 +347,12 @@ void ContactSolver::store(State& state) const {
 
 // One row at a time: rebounds are few. Bodies have moved since the solve, so their centres are read anew.
 void ContactSolver::applyRestitution(State& state) {
-  constexpr float kSlowest = 0.5f;  // [m/s] below, things come to rest; chosen by eye
   bool any = false;
   state.contacts.forEach([&](ContactHandle, Contact& contact) {
-    if (contact.restitution == 0.0f || contact.manifold.count == 0) return;
+    if (contact.restitution == 0.0f) return;
+    bool rebound = false;
+    for (int i = 0; i < contact.manifold.count; ++i) rebound = rebound || rebounds(contact, i);
+    if (!rebound) return;
     if (contact.strike != kNoStrike && state.strikes.list[contact.strike].saturated) return;
     const std::uint32_t a = state.shapes[contact.a].body.index;
     const std::uint32_t b = state.shapes[contact.b].body.index;
@@ -335,7 +364,7 @@ void ContactSolver::applyRestitution(State& state) {
     fillLane(state, contact, GapRule::Touching, 1.0f, 0, rows);
     PairVelocity<float> v = load(*bodies_, a, b);
     for (int i = 0; i < contact.manifold.count; ++i) {
-      if (contact.approach[i] < kSlowest || contact.manifold.points[i].normalImpulse <= 0.0f) continue;
+      if (!rebounds(contact, i)) continue;
       const float missing = contact.restitution * contact.approach[i] - rows.speedAlong(rows.normal, rows.point[i], v);
       if (missing <= 0.0f) continue;
       rows.apply(rows.normal, rows.point[i], rows.point[i].mass * missing, v);
@@ -343,6 +372,28 @@ void ContactSolver::applyRestitution(State& state) {
     physics::store(*bodies_, a, b, v);
   });
   if (any) storeBodies(state);
+}
+
+// What stopped a heavy body is no estimate of what holds it in the next tick, and would have to creep out of the shards
+// it went through: they would throw it back. A load at rest is one, and stays.
+void ContactSolver::forgetImpacts(State& state, float dt) {
+  isLight_.assign(state.bodies.capacity(), 0);
+  const float restSpeed = 2.0f * state.gravity.norm() * dt;
+  bool any = false;
+  state.contacts.forEach([&](ContactHandle, const Contact& contact) {
+    float approach = 0.0f;
+    for (int i = 0; i < contact.manifold.count; ++i) approach = maxOf(approach, contact.approach[i]);
+    const std::uint32_t light = approach > restSpeed ? lighterOf(state, contact) : kNobody;
+    if (light == kNobody) return;
+    isLight_[light] = 1;
+    any = true;
+  });
+  if (!any) return;
+  state.contacts.forEach([&](ContactHandle, Contact& contact) {
+    const bool light =
+        isLight_[state.shapes[contact.a].body.index] != 0 || isLight_[state.shapes[contact.b].body.index] != 0;
+    if (light) contact.manifold.forgetImpulses();
+  });
 }
 
 }  // namespace brittle::physics

@@ -1,7 +1,7 @@
-// physics/solver.h - sequential impulses over contacts: warm started, four independent contacts at a time, colour by colour, in an
-// order that does not depend on the width. Contacts with something breakable are solved one by one after the batches, under a
-// common cap per strike. Joints take part through JointSolver.
-// Source: Catto, Iterative Dynamics with Temporal Coherence, 2005; Tonge, Iterative Rigid Body Solvers (GDC), 2013 (colouring).
+// physics/solver.h - sequential impulses over contacts: warm started, four independent contacts at a time, colour by
+// colour, in an order that does not depend on the width. Contacts with something breakable are solved one by one after
+// the batches, under a common cap per strike. Joints take part through JointSolver. Source: Catto, Iterative Dynamics
+// with Temporal Coherence, 2005; Tonge, Iterative Rigid Body Solvers (GDC), 2013 (colouring).
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 namespace brittle::physics {
 
+struct Contact;
 struct State;
 
 /// How the rows of a contact with a breakable body treat a gap.
@@ -26,16 +27,21 @@ class ContactSolver {
   void loadBodies(State& state);
   void storeBodies(State& state) const;
 
-  /// Builds the rows of every contact that has points and an awake body: batches for the unlimited, one by one for those of
-  /// active strikes. `warmStart`: apply the accumulated impulses (first round of a tick); otherwise they are in the velocities.
+  /// Builds the rows of every contact within State::reach that has an awake body: batches for the unlimited, one by one
+  /// for those of active strikes. `warmStart`: apply the accumulated impulses (first round of a tick); otherwise they
+  /// are in the velocities.
   void prepare(State& state, float dt, bool warmStart);
   /// Runs `iterations` sweeps over joints, batches and strikes.
   void solve(State& state, int iterations);
   /// Puts the accumulated impulses back into the manifolds and the strikes.
   void store(State& state) const;
-  /// Rebound of contacts that carried an impulse and are not saturated. After the bodies have moved: until then a speculative
-  /// contact has not closed its gap, and the body would rebound in the air. Source: Box2D v3's relax-then-restitute order.
+  /// Rebound of contacts that carried an impulse and are not saturated. After the bodies have moved: until then a
+  /// speculative contact has not closed its gap, and the body would rebound in the air. Source: Box2D v3's
+  /// relax-then-restitute order.
   void applyRestitution(State& state);
+  /// At the end of a tick: contacts of a light body that something much heavier ran into start the next one without
+  /// impulses.
+  void forgetImpacts(State& state, float dt);
 
  private:
   struct Batch {
@@ -54,6 +60,7 @@ class ContactSolver {
 
   void colorContacts(State& state);
   void buildBatches(State& state, float dt);
+  std::uint32_t lighterOf(const State& state, const Contact& contact) const;
   void findLightBodies(State& state);
   void buildBlock(State& state, std::uint32_t light, float dt);
   void buildStrikes(State& state, float dt);
@@ -68,12 +75,12 @@ class ContactSolver {
 
   static constexpr int kColors = 24;  // beyond, contacts are solved one lane at a time
   std::vector<SolverBody>* bodies_ = nullptr;
-  std::vector<std::uint32_t> colorMasks_;                 // by body slot
-  std::vector<std::uint32_t> byColor_[kColors + 1];       // contact slots
+  std::vector<std::uint32_t> colorMasks_;            // by body slot
+  std::vector<std::uint32_t> byColor_[kColors + 1];  // contact slots
   std::vector<Batch> batches_;
   std::vector<Single> singles_;
   std::vector<Group> groups_;
-  std::vector<std::uint8_t> isLight_;                     // by body slot
+  std::vector<std::uint8_t> isLight_;  // by body slot
   std::vector<Block> blocks_;
   std::uint32_t blockCount_ = 0;
   std::vector<std::uint32_t> blockContacts_;

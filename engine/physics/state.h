@@ -14,6 +14,7 @@
 #include "engine/physics/debris.h"
 #include "engine/physics/events.h"
 #include "engine/physics/joint.h"
+#include "engine/physics/reach.h"
 #include "engine/physics/shape.h"
 #include "engine/physics/solver.h"
 #include "engine/physics/strikes.h"
@@ -47,7 +48,10 @@ struct State {
   std::vector<Aabb> shapeBoxes;  // by shape slot: tight, at the start of the tick
   std::vector<ShapeHandle> wakeQueue;
   std::vector<ShapeHandle> movedShapes;   // left their box in the tree
+  std::uint32_t searches = 0;             // collision detections within ticks so far
+  std::vector<bool> jointedBodies;        // by body slot: has a joint
   std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next round
+  Reach reach;                            // what the present pass of the solver takes in
   std::vector<Placement> placements;      // by body slot, of those awake: before positions are integrated
   std::vector<Heavy> moveOrder;           // of those dynamic and awake
   std::vector<Meeting> meetings;

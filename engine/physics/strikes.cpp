@@ -10,11 +10,11 @@
 namespace brittle::physics {
 namespace {
 
-constexpr std::int32_t kOwnedTicks = 15;   // how long a piece spends its maker's budget (a quarter of a second)
-constexpr float kSweepTarget = 0x1p-20f;   // a sweep closer than this is a hit [m]
-constexpr float kWeakRatio = 0.25f;        // a closing impulse below this part of the capacity need not be swept
-constexpr float kAllSpent = 0.99f;         // part of the capacity that counts as all of it; what is not stopped decides [-]
-constexpr float kResidual = 2.5e-7f;       // closing speed left, relative to before, that counts as not stopped: 2 ulp
+constexpr std::int32_t kOwnedTicks = 15;  // how long a piece spends its maker's budget (a quarter of a second)
+constexpr float kSweepTarget = 0x1p-20f;  // a sweep closer than this is a hit [m]
+constexpr float kWeakRatio = 0.25f;       // a closing impulse below this part of the capacity need not be swept
+constexpr float kAllSpent = 0.99f;    // part of the capacity that counts as all of it; what is not stopped decides [-]
+constexpr float kResidual = 2.5e-7f;  // closing speed left, relative to before, that counts as not stopped: 2 ulp
 
 /// Who pays: a fresh piece spends the budget of the striker that broke it loose.
 BodyHandle payerOf(const State& state, BodyHandle handle) {
@@ -24,7 +24,9 @@ BodyHandle payerOf(const State& state, BodyHandle handle) {
 }
 
 /// Whether a body breaks at all in this tick: pieces born in it are rigid for the rest of it.
-bool canBreak(const State& state, const Body& body) { return body.breakable && body.bornTick != state.tick; }
+bool canBreak(const State& state, const Body& body) {
+  return body.breakable && body.bornTick != state.tick;
+}
 
 /// Where the budget of a pair is, or would be: budgets are sorted by striker, then struck.
 std::size_t budgetIndex(const State& state, BodyHandle striker, BodyHandle struck) {
@@ -94,8 +96,8 @@ float measure(const State& state, Strike& strike) {
       const Vec3 relative = a.velocityAt(middle) - b.velocityAt(middle);
       const float speed = contact.manifold.normal.dot(relative);
       ContactRows<float> rows;
-      fillRow(state.solverBodies[handleA.index], state.solverBodies[state.shapes[contact.b].body.index], middle - a.center,
-              middle - b.center, contact.manifold.normal, 0.0f, 0, rows.point[0]);
+      fillRow(state.solverBodies[handleA.index], state.solverBodies[state.shapes[contact.b].body.index],
+              middle - a.center, middle - b.center, contact.manifold.normal, 0.0f, 0, rows.point[0]);
       closing = maxOf(closing, maxOf(speed, 0.0f) * rows.point[0].mass);
       if (weight == 0.0f || speed > strike.approachSpeed) {
         strike.approachSpeed = maxOf(speed, 0.0f);
@@ -152,7 +154,8 @@ void classify(State& state, Strike& strike, float dt) {
     strike.touching = strike.touching || !isGapOpen(contact);
     for (int p = 0; p < contact.manifold.count; ++p) strike.impulse += contact.manifold.points[p].normalImpulse;
   }
-  // A piece in its maker's way is no shield and no lever: glass stops it, but only the maker's own touch breaks the glass.
+  // A piece in its maker's way is no shield and no lever: glass stops it, but only the maker's own touch breaks the
+  // glass.
   strike.limit = strike.body == strike.striker ? strike.capacity : minOf(strike.capacity, strike.impulse + closing);
   bool waits = false;
   const bool paid = spent >= strength * (1.0f - 1e-6f);
@@ -181,7 +184,8 @@ geometry::Motion motionOf(const State& state, BodyHandle handle) {
   return {body.pose, body.center, solved.velocity, solved.angularVelocity};
 }
 
-/// When the two bodies of a strike first meet within the rest of the tick, at the velocities after the solve; negative: never. [s]
+/// When the two bodies of a strike first meet within the rest of the tick, at the velocities after the solve; negative:
+/// never. [s]
 float timeReached(const State& state, const Strike& strike, float dt) {
   float first = -1.0f;
   for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
@@ -212,15 +216,13 @@ void markReached(State& state, const Strike& strike) {
 }
 
 void removeContactImpulses(State& state, const Strike& strike) {
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
-    Manifold& manifold = state.contacts.at(state.strikes.contacts[strike.firstContact + i]).manifold;
-    for (ManifoldPoint& point : manifold.points) point.normalImpulse = 0.0f;
-    manifold.frictionImpulse.setZero();
-    manifold.twistImpulse = 0.0f;
-  }
+  for (std::uint32_t i = 0; i < strike.contactCount; ++i)
+    state.contacts.at(state.strikes.contacts[strike.firstContact + i]).manifold.forgetImpulses();
 }
 
-void undo(SolverBody& body, const Vec3& impulse, const Vec3& at) { body.applyImpulse(impulse, at - body.center); }
+void undo(SolverBody& body, const Vec3& impulse, const Vec3& at) {
+  body.applyImpulse(impulse, at - body.center);
+}
 
 /// Takes back what a strike's normals did to the velocities; friction through a gap is negligible and left.
 void undoNormals(State& state, const Strike& strike) {
@@ -239,19 +241,21 @@ void undoNormals(State& state, const Strike& strike) {
   }
 }
 
-/// Something pushed a weak strike to its limit through a gap that is still open: it would pay now and again when it touches.
-/// It gets its impulse back and waits for the sweep like the strong ones.
+/// Something pushed a weak strike to its limit through a gap that is still open: it would pay now and again when it
+/// touches. It gets its impulse back and waits for the sweep like the strong ones.
 bool releaseThroughGaps(State& state) {
-  bool any = false;
+  state.touchedBodies.clear();
   for (std::size_t s = 0; s < state.strikes.list.size(); ++s) {
     Strike& strike = state.strikes.list[s];
     const float spent = strike.impulse + spentByPartners(state.strikes, s);
     if (!strike.active || strike.touching || spent < strike.capacity * kAllSpent || strike.impulse <= 0.0f) continue;
     undoNormals(state, strike);
-    any = true;
+    state.touchedBodies.push_back(strike.body);
+    state.touchedBodies.push_back(strike.struck);
   }
-  if (any) state.contactSolver.storeBodies(state);
-  return any;
+  if (state.touchedBodies.empty()) return false;
+  state.contactSolver.storeBodies(state);
+  return true;
 }
 
 }  // namespace
@@ -259,7 +263,9 @@ bool releaseThroughGaps(State& state) {
 // The list is sorted, so partners stand beside each other.
 float spentByPartners(const Strikes& strikes, std::size_t s) {
   const std::vector<Strike>& list = strikes.list;
-  const auto isPartner = [&](std::size_t i) { return list[i].striker == list[s].striker && list[i].struck == list[s].struck; };
+  const auto isPartner = [&](std::size_t i) {
+    return list[i].striker == list[s].striker && list[i].struck == list[s].struck;
+  };
   float spent = 0.0f;
   for (std::size_t i = s; i > 0 && isPartner(i - 1); --i) spent += list[i - 1].impulse;
   for (std::size_t i = s + 1; i < list.size() && isPartner(i); ++i) spent += list[i].impulse;
@@ -303,6 +309,7 @@ bool findSaturated(State& state) {
     Strike& strike = state.strikes.list[s];
     if (!strike.active) continue;
     float left = 0.0f;
+    float approach = strike.approachSpeed;  // the tick's own: an earlier pass may have taken it away already
     for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
       const Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
       const SolverBody& a = state.solverBodies[state.shapes[contact.a].body.index];
@@ -310,10 +317,11 @@ bool findSaturated(State& state) {
       for (int p = 0; p < contact.manifold.count; ++p) {
         const Vec3 at = state.bodyOf(state.shapes[contact.a]).pose.toWorld(contact.manifold.points[p].localA);
         left = maxOf(left, contact.manifold.normal.dot(a.velocityAt(at - a.center) - b.velocityAt(at - b.center)));
+        approach = maxOf(approach, contact.approach[p]);
       }
     }
     const bool spentAll = strike.impulse + spentByPartners(state.strikes, s) >= strike.capacity * kAllSpent;
-    const bool stopped = left <= kResidual * strike.approachSpeed;
+    const bool stopped = left <= kResidual * approach;
     const bool inStep = state.accuracy.fractureMode == FractureMode::InStep;
     strike.saturated = spentAll && (!stopped || !strike.isCapped) && (strike.touching || !inStep);
     any = any || (strike.saturated && strike.mayBreak);
@@ -331,7 +339,9 @@ bool advanceStrikers(State& state, float dt) {
     if (strike.saturated) state.bodies[sweptBody(state, strike)].waitsAtGlass = true;
   for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
     const Strike& strike = state.strikes.list[i];
-    if (strike.touching || strike.active || strike.capacity <= 0.0f || state.bodies[sweptBody(state, strike)].waitsAtGlass) continue;
+    if (strike.touching || strike.active || strike.capacity <= 0.0f ||
+        state.bodies[sweptBody(state, strike)].waitsAtGlass)
+      continue;
     const float time = timeReached(state, strike, dt);
     if (time >= 0.0f) arrivals.push_back({i, sweptBody(state, strike), time});
   }
@@ -360,7 +370,8 @@ fracture::Impact impactOf(const State& state, const Strike& strike) {
   const Body& struck = state.bodies[strike.struck];
   const Body& body = state.bodies[strike.body];
   const Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact]);
-  const Vec3 normal = state.shapes[contact.a].body == strike.struck ? Vec3(-contact.manifold.normal) : contact.manifold.normal;
+  const Vec3 normal =
+      state.shapes[contact.a].body == strike.struck ? Vec3(-contact.manifold.normal) : contact.manifold.normal;
   fracture::Impact impact;
   impact.point = struck.pose.toLocal(strike.point);
   if (body.type != BodyType::Static) impact.toCenter = struck.pose.toLocal(body.center) - impact.point;

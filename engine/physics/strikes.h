@@ -1,6 +1,7 @@
-// physics/strikes.h - who strikes what breakable body, what it may spend, and in which order. A strike may spend at most what is
-// left of the strength J over all its contact points, rounds and sub-steps of 1/60 s; when that does not stop it, the body
-// breaks. First reached, first broken. Knows velocities and budgets; the breaking itself is breakage's.
+// physics/strikes.h - who strikes what breakable body, what it may spend, and in which order. A strike may spend at
+// most what is left of the strength J over all its contact points, rounds and sub-steps of 1/60 s; when that does not
+// stop it, the body breaks. First reached, first broken. Knows velocities and budgets; the breaking itself is
+// breakage's.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +19,21 @@ inline constexpr std::uint32_t kNoStrike = 0xffffffff;
 
 /// One body against one breakable body, over all their contacts, in one pass of the solver.
 struct Strike {
-  BodyHandle body;                // the other party of the contacts
-  BodyHandle striker, struck;     // the parties to the budget: a fresh piece spends its maker's
-  std::uint32_t firstContact = 0; // range in Strikes::contacts
+  BodyHandle body;                 // the other party of the contacts
+  BodyHandle striker, struck;      // the parties to the budget: a fresh piece spends its maker's
+  std::uint32_t firstContact = 0;  // range in Strikes::contacts
   std::uint32_t contactCount = 0;
-  float capacity = 0.0f;          // what is left of J before this tick's accumulated impulse [N s]
-  float limit = 0.0f;             // what this body alone may spend of it [N s]
-  float impulse = 0.0f;           // accumulated in this tick by contacts that still exist [N s]
-  float approachSpeed = 0.0f;     // before the solve, along the normal [m/s]
+  float capacity = 0.0f;                 // what is left of J before this tick's accumulated impulse [N s]
+  float limit = 0.0f;                    // what this body alone may spend of it [N s]
+  float impulse = 0.0f;                  // accumulated in this tick by contacts that still exist [N s]
+  float approachSpeed = 0.0f;            // before the solve, along the normal [m/s]
   Vec3 relativeVelocity = Vec3::Zero();  // of the striker at the point, before the solve [m/s]
   Vec3 velocityBefore = Vec3::Zero();    // of `body` before the solve [m/s]
-  Vec3 point = Vec3::Zero();      // world [m]
-  bool touching = false;          // there is no gap, or the sweep has closed it
-  bool active = false;            // takes part in the solve
-  bool isCapped = true;           // off: rigid until it breaks (comparison)
-  bool mayBreak = true;           // off: what is left of something that broke in this tick
+  Vec3 point = Vec3::Zero();             // world [m]
+  bool touching = false;                 // there is no gap, or the sweep has closed it
+  bool active = false;                   // takes part in the solve
+  bool isCapped = true;                  // off: rigid until it breaks (comparison)
+  bool mayBreak = true;                  // off: what is left of something that broke in this tick
   bool saturated = false;
 };
 
@@ -52,7 +53,7 @@ struct StrikeCandidate {
 struct Arrival {
   std::uint32_t strike = 0;  // index into Strikes::list
   BodyHandle body;
-  float time = 0.0f;         // [s] from where the body is now
+  float time = 0.0f;  // [s] from where the body is now
 };
 
 struct Strikes {
@@ -114,13 +115,14 @@ void charge(State& state, BodyHandle striker, BodyHandle struck, float impulse);
 /// Charges what the contacts that are left at the end of a tick carried.
 void chargeStrikes(State& state, float dt);
 
-/// Finds the strikes among the contacts, with what is left of each one's budget. Those that touch, or are too weak to break
-/// anything, take part in the solve; those still on their way wait for advanceStrikers.
+/// Finds the strikes among the contacts, with what is left of each one's budget. Those that touch, or are too weak to
+/// break anything, take part in the solve; those still on their way wait for advanceStrikers.
 void limitImpulses(State& state, float dt);
-/// After a solve: which strikes were not stopped by all they may spend. Per striking body only those count that it reached.
+/// After a solve: which strikes were not stopped by all they may spend. Per striking body only those count that it
+/// reached.
 bool findSaturated(State& state);
-/// Moves strikers that will reach something breakable within the tick to where they reach it first, at the velocity the solver left
-/// them. True if any moved: then their contacts touch, and the solver must run again.
+/// Moves strikers that will reach something breakable within the tick to where they reach it first, at the velocity the
+/// solver left them. True if any moved: then their contacts touch, and the solver must run again.
 bool advanceStrikers(State& state, float dt);
 /// After the last round: what is saturated breaks next tick; its striker's motion ends where it is.
 void holdSaturated(State& state, float dt);

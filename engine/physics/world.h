@@ -1,5 +1,5 @@
-// physics/world.h - rigid bodies that break inside the step. The one class the game talks to. Never sees a clock, a window or GL:
-// step(dt) is a function of the state, and the state hashes to the same 64 bits on every machine.
+// physics/world.h - rigid bodies that break inside the step. The one class the game talks to. Never sees a clock, a
+// window or GL: step(dt) is a function of the state, and the state hashes to the same 64 bits on every machine.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct State;
 struct WorldDef {
   Vec3 gravity = Vec3(0.0f, -9.81f, 0.0f);  // [m/s2]
   Accuracy accuracy;
-  std::uint64_t seed = 1;                   // of every fracture pattern
+  std::uint64_t seed = 1;  // of every fracture pattern
 };
 
 struct RayResult {
@@ -47,8 +47,8 @@ class World {
   ShapeHandle addSphere(BodyHandle body, const ShapeDef& def, float radius, const Vec3& center = Vec3::Zero());
   void removeShape(ShapeHandle shape);
   void destroyBody(BodyHandle body);
-  /// Finds which shapes of a breakable body touch static geometry face to face and marks them anchored. A static breakable body
-  /// that touches none is anchored everywhere. Returns how many are anchored.
+  /// Finds which shapes of a breakable body touch static geometry face to face and marks them anchored. A static
+  /// breakable body that touches none is anchored everywhere. Returns how many are anchored.
   std::uint32_t anchor(BodyHandle body);
   JointHandle createJoint(const JointDef& def);
   void destroyJoint(JointHandle joint);
@@ -74,7 +74,7 @@ class World {
   BodyHandle bodyOf(ShapeHandle shape) const;
   void forEachBody(const std::function<void(BodyHandle, const Body&)>& visit) const;
   const geometry::MeshPool& meshes() const;
-  geometry::MeshPool& meshes();                 // the renderer clears dirty ranges
+  geometry::MeshPool& meshes();  // the renderer clears dirty ranges
   const Debris& debris() const;
   const Events& events() const;
   const Counters& counters() const;
@@ -89,7 +89,8 @@ class World {
   const Accuracy& accuracy() const;
   void applyImpulse(BodyHandle body, const Vec3& impulse, const Vec3& point);
   void wake(BodyHandle body);
-  /// Breaks a body now, as if hit at `point` (world) with `speed` [m/s] along `direction`, by something of `radius` [m].
+  /// Breaks a body now, as if hit at `point` (world) with `speed` [m/s] along `direction`, by something of `radius`
+  /// [m].
   void breakBody(BodyHandle body, const Vec3& point, const Vec3& direction, float speed, float radius);
 
   // Queries. `mask` selects shapes by category.
@@ -97,10 +98,12 @@ class World {
   /// First shape a sphere meets on its way; fraction of the way at which it touches.
   RayResult castSphere(const Vec3& from, const Vec3& to, float radius, std::uint32_t mask = ~0u) const;
   /// Calls visit for every shape that a sphere overlaps, in slot order; stops when it answers false.
-  void overlapSphere(const Vec3& center, float radius, std::uint32_t mask, const std::function<bool(ShapeHandle)>& visit) const;
+  void overlapSphere(const Vec3& center, float radius, std::uint32_t mask,
+                     const std::function<bool(ShapeHandle)>& visit) const;
   void overlapBox(const Aabb& box, std::uint32_t mask, const std::function<bool(ShapeHandle)>& visit) const;
 
-  /// Moves the origin: every position and every cached one becomes itself minus `offset` [m], which must be a multiple of 2^-8.
+  /// Moves the origin: every position and every cached one becomes itself minus `offset` [m], which must be a multiple
+  /// of 2^-8.
   void shiftOrigin(const Vec3& offset);
 
   /// Everything the next step reads, and nothing else, in 64 bits.

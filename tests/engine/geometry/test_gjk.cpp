@@ -14,9 +14,15 @@ using test::box;
 using test::randomHull;
 using test::randomPose;
 
-Proxy proxy(const Convex& convex) { return {convex.view(), Vec3::Zero(), 0.0f}; }
-Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) { return {{}, center, radius}; }
-Transform at(float x, float y, float z) { return {Vec3(x, y, z), Quat::Identity()}; }
+Proxy proxy(const Convex& convex) {
+  return {convex.view(), Vec3::Zero(), 0.0f};
+}
+Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) {
+  return {{}, center, radius};
+}
+Transform at(float x, float y, float z) {
+  return {Vec3(x, y, z), Quat::Identity()};
+}
 
 Separation fresh(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB) {
   SimplexCache cache;
@@ -68,7 +74,8 @@ TEST(Gjk, CrossedEdges) {
 }
 
 TEST(Gjk, SpheresAreExact) {
-  const Separation apart = fresh(sphere(0.5f), at(0.0f, 0.0f, 0.0f), sphere(0.25f, Vec3(1.0f, 0.0f, 0.0f)), at(1.0f, 0.0f, 0.0f));
+  const Separation apart =
+      fresh(sphere(0.5f), at(0.0f, 0.0f, 0.0f), sphere(0.25f, Vec3(1.0f, 0.0f, 0.0f)), at(1.0f, 0.0f, 0.0f));
   EXPECT_EQ(apart.distance, 1.25f);
   EXPECT_EQ(apart.pointA.x(), 0.5f);
   EXPECT_EQ(apart.pointB.x(), 1.75f);
@@ -107,7 +114,8 @@ Vec3 randomScale(Random& random) {
   return scale;
 }
 
-void compareWithSlowAnswer(const Convex& a, const Transform& poseA, const Convex& b, const Transform& poseB, float tolerance) {
+void compareWithSlowAnswer(const Convex& a, const Transform& poseA, const Convex& b, const Transform& poseB,
+                           float tolerance) {
   const std::vector<Vec3d> pa = test::worldPoints(a, poseA), pb = test::worldPoints(b, poseB);
   const double depth = test::slowSeparation(a, pa, b, pb);
   const double expected = depth > 0.0 ? test::slowDistance(a, pa, b, pb) : depth;
@@ -147,7 +155,8 @@ TEST(Gjk, SmallShardsFarFromTheirFrameKeepTheirPrecision) {
   Random random(24);
   for (int i = 0; i < 100; ++i) {
     const Vec3 offset(3.0f, -2.0f, 1.0f);
-    const Convex a = randomHull(random, 10, Vec3::Constant(0.01f), offset), b = randomHull(random, 10, Vec3::Constant(0.01f), offset);
+    const Convex a = randomHull(random, 10, Vec3::Constant(0.01f), offset),
+                 b = randomHull(random, 10, Vec3::Constant(0.01f), offset);
     const Transform pose = randomPose(random, 2.0f);
     Transform other = pose;
     for (int k = 0; k < 3; ++k) other.position[k] += random.nextFloat(-0.02f, 0.02f);
@@ -202,9 +211,29 @@ TEST(Gjk, WarmStartsGiveTheSameAnswerFromAnyCache) {
   }
 }
 
+TEST(Gjk, StoppingEarlyOnlySaysThatItIsTooFar) {
+  Random random(29);
+  const Convex a = randomHull(random, 12, Vec3::Ones()), b = randomHull(random, 12, Vec3(1.0f, 0.2f, 0.05f));
+  SimplexCache cache;
+  for (int i = 0; i < 2000; ++i) {
+    const Transform poseA = randomPose(random, 1.5f), poseB = randomPose(random, 1.5f);
+    const Separation exact = fresh(proxy(a), poseA, proxy(b), poseB);
+    const float limit = i % 3 == 0 ? exact.distance : random.nextFloat(0.0f, 1.0f);
+    const Separation early = separation(proxy(a), poseA, proxy(b), poseB, cache, limit);
+    if (early.distance > limit) {
+      EXPECT_LE(early.distance, exact.distance + 2e-6f);
+      EXPECT_NEAR(early.normal.norm(), 1.0f, 1e-5f);
+    } else {
+      EXPECT_NEAR(early.distance, exact.distance, 2e-6f);
+      EXPECT_LT((early.normal - exact.normal).norm(), 1e-2f);
+    }
+  }
+}
+
 TEST(Gjk, NothingIsEverNotFinite) {
   Random random(28);
-  const Convex flat = box(Vec3(1.0f, 0.0f, 1.0f)), line = box(Vec3(1.0f, 0.0f, 0.0f)), point = box(Vec3::Zero()), cube = box(Vec3::Ones());
+  const Convex flat = box(Vec3(1.0f, 0.0f, 1.0f)), line = box(Vec3(1.0f, 0.0f, 0.0f)), point = box(Vec3::Zero()),
+               cube = box(Vec3::Ones());
   const Convex* shapes[] = {&flat, &line, &point, &cube};
   for (const Convex* a : shapes)
     for (const Convex* b : shapes)
