@@ -1,4 +1,5 @@
-// What a breaking costs: `bench --benchmark_filter=fracture`. Time per breaking, with the pieces, neighbours and cuts it makes.
+// What a breaking costs: `bench --benchmark_filter=fracture`. Time per breaking, with the pieces, neighbours and cuts
+// it makes.
 #include <benchmark/benchmark.h>
 
 #include "engine/fracture/fracture.h"
@@ -43,7 +44,13 @@ FractureMaterial materialOf(Pattern pattern) {
 void fracturePane(benchmark::State& state) {
   breakBox(state, {0.5f, 0.5f, 0.01f}, materialOf(Pattern::Pane), static_cast<float>(state.range(0)));
 }
-BENCHMARK(fracturePane)->Name("fracture/pane")->ArgName("speed")->Arg(5)->Arg(10)->Arg(40)->Unit(benchmark::kMicrosecond);
+BENCHMARK(fracturePane)
+    ->Name("fracture/pane")
+    ->ArgName("speed")
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(40)
+    ->Unit(benchmark::kMicrosecond);
 
 void fractureBlock(benchmark::State& state) {
   breakBox(state, {0.25f, 0.25f, 0.25f}, materialOf(Pattern::Block), static_cast<float>(state.range(0)));
@@ -76,6 +83,11 @@ void connectWall(benchmark::State& state) {
     benchmark::DoNotOptimize(groups.data());
   }
 }
-BENCHMARK(connectWall)->Name("fracture/connect_wall")->ArgName("bricks")->Arg(10)->Arg(100)->Unit(benchmark::kMicrosecond);
+BENCHMARK(connectWall)
+    ->Name("fracture/connect_wall")
+    ->ArgName("bricks")
+    ->Arg(10)
+    ->Arg(100)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

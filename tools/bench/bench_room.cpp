@@ -3,22 +3,15 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <ctime>
 
 #include "game/content/asset_source.h"
 #include "game/sim/constants.h"
 #include "game/sim/game.h"
+#include "tools/bench/scene.h"
 
 namespace {
 
 using namespace brittle;
-
-double cpuMilliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
 
 void playRoom(benchmark::State& state) {
   const content::FolderSource assets({BRITTLE_SOURCE_DIR "/assets"});
@@ -37,9 +30,9 @@ void playRoom(benchmark::State& state) {
       replay::InputFrame input;
       if (tick % 30 == 15)
         input.throws.push_back(replay::quantizeAim(0.1f * static_cast<float>(tick / 30 % 5) - 0.2f, 0.02f));
-      const double start = cpuMilliseconds();
+      const double start = physics::cpuMilliseconds();
       (*game)->tick(input);
-      ticks.push_back(cpuMilliseconds() - start);
+      ticks.push_back(physics::cpuMilliseconds() - start);
     }
     hash = (*game)->stateHash();
   }
@@ -47,9 +40,7 @@ void playRoom(benchmark::State& state) {
   state.counters["median_ms"] = ticks[ticks.size() / 2];
   state.counters["p99_ms"] = ticks[ticks.size() * 99 / 100];
   state.counters["heaviest_ms"] = ticks.back();
-  char text[32];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  state.SetLabel(text);
+  physics::label(state, hash);
 }
 BENCHMARK(playRoom)->Name("room/first")->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->Iterations(1);
 
