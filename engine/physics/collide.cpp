@@ -22,12 +22,17 @@ Aabb sweptBox(const Aabb& box, const Body& body, float dt) {
   return swept.grownBy(turn);
 }
 
+/// How much larger the box in the tree is. [m]
+float fatOf(const Aabb& box) {
+  const Vec3 extent = box.extent();
+  return minOf(kFatMargin, kFatRatio * maxOf(extent.x(), maxOf(extent.y(), extent.z())));
+}
+
 /// Sees to it that the shape's box in the tree covers its way of the tick.
 void cover(State& state, ShapeHandle handle, const Shape& shape, const Body& body, float dt) {
   const Aabb& box = state.shapeBoxes[handle.index];
   const Aabb swept = sweptBox(box, body, dt);
-  const Vec3 extent = box.extent();
-  const float fat = minOf(kFatMargin, kFatRatio * maxOf(extent.x(), maxOf(extent.y(), extent.z())));
+  const float fat = fatOf(box);
   const Aabb& known = state.tree.box(shape.proxy);
   if (known.contains(swept) && swept.grownBy(kLoose * fat).contains(known)) return;
   state.tree.move(shape.proxy, swept.grownBy(fat));
@@ -57,17 +62,29 @@ void markJointedBodies(State& state) {
   });
 }
 
+/// Marks what a shape has contacts with already: looked up for each pair, that would be a walk along its list each time.
+void markKnownPairs(State& state, const Shape& shape, ShapeHandle handle) {
+  state.knownPairOf.resize(state.shapes.capacity());
+  forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
+    const Contact& contact = state.contacts.at(slot);
+    state.knownPairOf[(side == 0 ? contact.b : contact.a).index] = handle;
+    return true;
+  });
+}
+
 void findPairs(State& state) {
   if (state.movedShapes.empty()) return;
   markJointedBodies(state);
+  state.knownPairOf.clear();
   for (const ShapeHandle handle : state.movedShapes) {
     if (!state.shapes.contains(handle)) continue;  // made and removed again between ticks
     const Shape& shape = state.shapes[handle];
+    markKnownPairs(state, shape, handle);
     state.tree.query(state.tree.box(shape.proxy), [&](std::uint32_t slot) {
-      const ShapeHandle other = state.shapes.handleAt(slot);
       ++state.counters.pairsTested;
-      if (slot != handle.index && mayTouch(state, shape, state.shapes.at(slot)) && !findContact(state, handle, other))
-        addContact(state, handle, other);
+      const bool isKnown = slot == handle.index || state.knownPairOf[slot] == handle;
+      if (!isKnown && mayTouch(state, shape, state.shapes.at(slot)))
+        addContact(state, handle, state.shapes.handleAt(slot));
       return true;
     });
   }
@@ -162,7 +179,7 @@ void insertProxy(State& state, ShapeHandle handle) {
   if (state.shapeBoxes.size() < state.shapes.capacity()) state.shapeBoxes.resize(state.shapes.capacity());
   const Aabb box = geometry::boundsOf(proxyOf(shape, state.meshes), state.bodyOf(shape).pose);
   state.shapeBoxes[handle.index] = box;
-  shape.proxy = state.tree.insert(box, handle.index);
+  shape.proxy = state.tree.insert(box.grownBy(fatOf(box)), handle.index);
 }
 
 void detectCollisions(State& state, float dt) {

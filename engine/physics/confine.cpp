@@ -1,3 +1,4 @@
+#include "engine/core/profile.h"
 #include "engine/physics/obstacle.h"
 #include "engine/physics/sweep.h"
 
@@ -47,6 +48,7 @@ void confine(State& state, BodyHandle handle, const Meeting& meeting) {
 }  // namespace
 
 void confineBodies(State& state) {
+  BR_ZONE("confine");
   for (const Heavy& next : state.moveOrder) {
     for (const Firmness firmness : {Firmness::Firm, Firmness::Immovable}) {
       forEachMeeting(state, next.body, [&](const Meeting& meeting) {

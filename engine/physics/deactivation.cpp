@@ -1,5 +1,6 @@
 #include "engine/physics/deactivation.h"
 
+#include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/edit.h"
 
@@ -101,6 +102,7 @@ void wakeTouching(State& state, ShapeHandle first) {
 }
 
 void deactivate(State& state, float dt) {
+  BR_ZONE("deactivate");
   wakeTouchedByMotion(state);
   const float dtRatio = dt * 60.0f;
   const auto ticksNeeded = static_cast<std::uint32_t>(static_cast<float>(kRestTicks) / maxOf(dtRatio, 0.01f));

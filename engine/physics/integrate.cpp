@@ -99,6 +99,7 @@ void integratePositions(State& state, float dt) {
 }
 
 void correctPositions(State& state) {
+  BR_ZONE("correct positions");
   state.overlapping.clear();
   state.contacts.forEach([&](ContactHandle handle, const Contact& contact) {
     if (isOverlapping(contact) && !contact.passable) state.overlapping.push_back(handle.index);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/profile.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/debris_step.h"
@@ -59,6 +60,7 @@ void finishContacts(State& state) {
 }
 
 void recycleBodies(State& state) {
+  BR_ZONE("recycle");
   const auto limit = static_cast<std::size_t>(maxOf(state.accuracy.maxBodies, 0));
   if (state.bodies.size() <= limit) return;  // cheap and safe: pieces are some of the bodies
   std::vector<BodyHandle>& pieces = state.touchedBodies;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
 #include "engine/physics/state.h"
@@ -347,6 +348,7 @@ void ContactSolver::store(State& state) const {
 
 // One row at a time: rebounds are few. Bodies have moved since the solve, so their centres are read anew.
 void ContactSolver::applyRestitution(State& state) {
+  BR_ZONE("restitution");
   bool any = false;
   state.contacts.forEach([&](ContactHandle, Contact& contact) {
     if (contact.restitution == 0.0f) return;

@@ -48,6 +48,7 @@ struct State {
   std::vector<Aabb> shapeBoxes;  // by shape slot: tight, at the start of the tick
   std::vector<ShapeHandle> wakeQueue;
   std::vector<ShapeHandle> movedShapes;   // left their box in the tree
+  std::vector<ShapeHandle> knownPairOf;   // by shape slot: a moved shape it has a contact with
   std::uint32_t searches = 0;             // collision detections within ticks so far
   std::vector<bool> jointedBodies;        // by body slot: has a joint
   std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next round

@@ -99,6 +99,7 @@ float measure(const State& state, Strike& strike) {
       fillRow(state.solverBodies[handleA.index], state.solverBodies[state.shapes[contact.b].body.index],
               middle - a.center, middle - b.center, contact.manifold.normal, 0.0f, 0, rows.point[0]);
       closing = maxOf(closing, maxOf(speed, 0.0f) * rows.point[0].mass);
+      strike.mass = maxOf(strike.mass, rows.point[0].mass);
       if (weight == 0.0f || speed > strike.approachSpeed) {
         strike.approachSpeed = maxOf(speed, 0.0f);
         strike.relativeVelocity = struckIsA ? Vec3(-relative) : relative;
@@ -242,13 +243,27 @@ void undoNormals(State& state, const Strike& strike) {
 }
 
 /// Something pushed a weak strike to its limit through a gap that is still open: it would pay now and again when it
-/// touches. It gets its impulse back and waits for the sweep like the strong ones.
-bool releaseThroughGaps(State& state) {
+/// touches.
+bool paidThroughGap(const State& state, std::size_t s) {
+  const Strike& strike = state.strikes.list[s];
+  const float spent = strike.impulse + spentByPartners(state.strikes, s);
+  return !strike.touching && spent >= strike.capacity * kAllSpent && strike.impulse > 0.0f;
+}
+
+/// Something drove a piece against glass, so that it may break what its own motion could not when that was measured.
+bool wasDriven(const State& state, const Strike& strike) {
+  if (strike.body == strike.striker || strike.leftSpeed * strike.mass < kWeakRatio * strike.capacity) return false;
+  for (std::uint32_t i = 0; i < strike.contactCount; ++i)
+    if (state.contacts.at(state.strikes.contacts[strike.firstContact + i]).waits) return false;  // once per tick
+  return true;
+}
+
+/// They get their impulse back and wait for the sweep like the strong ones.
+bool releaseStrikes(State& state) {
   state.touchedBodies.clear();
   for (std::size_t s = 0; s < state.strikes.list.size(); ++s) {
     Strike& strike = state.strikes.list[s];
-    const float spent = strike.impulse + spentByPartners(state.strikes, s);
-    if (!strike.active || strike.touching || spent < strike.capacity * kAllSpent || strike.impulse <= 0.0f) continue;
+    if (!strike.active || !(paidThroughGap(state, s) || wasDriven(state, strike))) continue;
     undoNormals(state, strike);
     state.touchedBodies.push_back(strike.body);
     state.touchedBodies.push_back(strike.struck);
@@ -320,6 +335,7 @@ bool findSaturated(State& state) {
         approach = maxOf(approach, contact.approach[p]);
       }
     }
+    strike.leftSpeed = left;
     const bool spentAll = strike.impulse + spentByPartners(state.strikes, s) >= strike.capacity * kAllSpent;
     const bool stopped = left <= kResidual * approach;
     const bool inStep = state.accuracy.fractureMode == FractureMode::InStep;
@@ -334,7 +350,7 @@ bool advanceStrikers(State& state, float dt) {
   std::vector<Arrival>& arrivals = state.strikes.arrivals;
   arrivals.clear();
   if (state.accuracy.fractureMode != FractureMode::InStep) return false;
-  if (releaseThroughGaps(state)) return true;
+  if (releaseStrikes(state)) return true;
   for (const Strike& strike : state.strikes.list)
     if (strike.saturated) state.bodies[sweptBody(state, strike)].waitsAtGlass = true;
   for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
@@ -383,11 +399,14 @@ fracture::Impact impactOf(const State& state, const Strike& strike) {
 
 void holdSaturated(State& state, float dt) {
   if (state.accuracy.fractureMode != FractureMode::InStep) return;
+  BodyHandle last;  // the list is sorted by who is struck
   for (const Strike& strike : state.strikes.list) {
     if (!strike.saturated) continue;
     state.held.push_back({strike.striker, strike.struck, impactOf(state, strike), strike.impulse});
     Body& body = state.bodies[sweptBody(state, strike)];
     if (body.isDynamic()) body.timeUsed = dt;
+    if (strike.struck == last) continue;
+    last = strike.struck;
     ++state.counters.held;
     ++state.counters.totalHeld;
   }

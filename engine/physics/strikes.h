@@ -27,6 +27,8 @@ struct Strike {
   float limit = 0.0f;                    // what this body alone may spend of it [N s]
   float impulse = 0.0f;                  // accumulated in this tick by contacts that still exist [N s]
   float approachSpeed = 0.0f;            // before the solve, along the normal [m/s]
+  float leftSpeed = 0.0f;                // after the solve, along the normal [m/s]
+  float mass = 0.0f;                     // effective, along the normal: the largest of its points [kg]
   Vec3 relativeVelocity = Vec3::Zero();  // of the striker at the point, before the solve [m/s]
   Vec3 velocityBefore = Vec3::Zero();    // of `body` before the solve [m/s]
   Vec3 point = Vec3::Zero();             // world [m]
