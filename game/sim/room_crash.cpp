@@ -33,20 +33,26 @@ bool Room::blocks(physics::ShapeHandle handle) const {
   return shape.massProperties.volume * shape.surface.density >= rules::kCrashRimMass;
 }
 
+// The camera's whole way through the obstacle at once: a ball along a segment.
 bool Room::canPass(const Obstacle& obstacle) const {
+  geometry::Vertex ends[2];
+  ends[0].point = viewpoint_.position;
+  ends[1].point = viewpoint_.position;
   Aabb bounds;
   world_->forEachBody([&](physics::BodyHandle, const physics::Body& body) {
     if (body.userData == obstacle.number) bounds.include(Aabb{body.center, body.center}.grownBy(body.radius));
   });
   if (bounds.isEmpty()) return true;
+  ends[0].point.z() = bounds.high.z();
+  ends[1].point.z() = bounds.low.z();
+  const geometry::Proxy way{{ends, {}, {}}, Vec3::Zero(), 0.0f};
   bool free = true;
-  for (float z = bounds.high.z(); free && z > bounds.low.z(); z -= 0.5f * rules::kCameraRadius) {
-    const Vec3 center(viewpoint_.position.x(), viewpoint_.position.y(), z);
-    world_->overlapSphere(center, rules::kCameraRadius, ~0u, [&](physics::ShapeHandle shape) {
-      free = !(world_->body(world_->bodyOf(shape)).userData == obstacle.number && blocks(shape));
-      return free;
-    });
-  }
+  world_->forEachBody([&](physics::BodyHandle, const physics::Body& body) {
+    if (body.userData != obstacle.number) return;
+    for (physics::ShapeHandle s = body.firstShape; free && s; s = world_->shape(s).next)
+      free = !blocks(s) || !geometry::overlaps(way, Transform{}, physics::proxyOf(world_->shape(s), world_->meshes()),
+                                               body.pose, rules::kCameraRadius);
+  });
   return free;
 }
 
