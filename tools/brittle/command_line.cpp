@@ -56,9 +56,11 @@ void addPlay(CLI::App& app, Action& action) {
 void addRender(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command =
-      app.add_subcommand("render", "render a replay to pictures and sound, without a display or device");
+      app.add_subcommand("render", "render a replay to pictures, sound or a video, without a display or device");
   command->add_option("REPLAY", options->replay, "a recorded game (.brt)")->required();
-  command->add_option("--out", options->out, "folder for frame_000600.png and so on; made if it is missing")
+  command
+      ->add_option("--out", options->out,
+                   "folder for frame_000600.png and so on, made if it is missing; or FILE.mp4 for a video with sound")
       ->type_name("DIR");
   command->add_option("--sound", options->sound, "the frames' sound as a WAV file")->type_name("FILE");
   command->add_option("--size", options->size, "size of the pictures [pixels]")
@@ -78,6 +80,7 @@ void addRender(CLI::App& app, Action& action) {
   command->footer(
       "Examples:\n  brittle render game.brt --out frames --size 1280x720 --frames 600..900\n"
       "  brittle render game.brt --out frames --every 60 --backend osmesa\n"
+      "  brittle render game.brt --out game.mp4 --size 1280x720\n"
       "  brittle render game.brt --sound game.wav");
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

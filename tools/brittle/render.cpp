@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "game/view/memory.h"
 #include "platform/headless/headless.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/movie.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/progress.h"
 #include "tools/brittle/soundtrack.h"
@@ -45,72 +47,128 @@ std::string pictureName(const std::string& folder, std::uint32_t frame) {
   return folder + name;
 }
 
+/// What is done with a frame that was drawn.
+using TakeFrame = std::function<Status(const render::Image& image, std::uint32_t frame)>;
+
+/// Everything that a rendering starts from.
 struct Job {
+  const RenderOptions& options;
+  const content::AssetSource& assets;
   const replay::Replay& replay;
-  GameSimulation& simulation;
-  Picture& picture;
-  runtime::PictureSize size;
   FrameRange frames;
-  std::uint32_t every;
-  const std::string& folder;
+
+  /// At the start of the replay; each output plays one of its own.
+  Result<std::unique_ptr<GameSimulation>> simulation() const { return openReplay(assets, replay, options.replay); }
+  std::uint32_t pictures() const { return (frames.last - frames.first) / options.every + 1; }
 };
 
-Status renderFrame(const Job& job, std::uint32_t frame) {
-  job.picture.draw(job.simulation.game(), 1.0f, job.size);
-  return render::writePng(job.picture.readBack(), pictureName(job.folder, frame));
-}
+/// An off-screen context and the picture drawn in it.
+struct Canvas {
+  Size size;
+  std::unique_ptr<platform::Headless> platform;
+  std::unique_ptr<Picture> picture;
+};
 
-Status renderFrames(const Job& job) {
-  replay::Player player(job.replay, job.simulation);
-  // So much earlier, any range of frames comes out as it does in a rendering of the whole replay.
-  const std::uint32_t begin = job.frames.first > view::kMemoryTicks ? job.frames.first - view::kMemoryTicks : 0;
-  if (begin > 0) {
-    const Status found = player.seek(begin);
-    if (!found) return found;
-  }
-  Progress progress("rendering", job.frames.last - begin);
-  job.picture.ticked(job.simulation.game());
-  while (true) {
-    const std::uint32_t frame = player.tick();
-    if (frame >= job.frames.first && (frame - job.frames.first) % job.every == 0) {
-      const Status drawn = renderFrame(job, frame);
-      if (!drawn) return drawn;
-    }
-    progress.reached(frame - begin);
-    if (frame >= job.frames.last) return Done{};
-    player.step();
-    job.picture.ticked(job.simulation.game());
-  }
-}
-
-/// The frames as pictures, on a simulation of their own.
-Status renderPictures(const RenderOptions& options, const replay::Replay& replay, const FrameRange& frames,
-                      GameSimulation& simulation) {
+Result<Canvas> makeCanvas(const RenderOptions& options) {
   const Result<Size> size = parseSize(options.size);
   if (!size) return size.error();
   const Result<platform::HeadlessBackend> backend = backendOf(options.backend);
   if (!backend) return backend.error();
-  const runtime::PictureSize pictureSize{size->width, size->height};
-  const auto headless = platform::createHeadless(*backend, pictureSize);
+  auto headless = platform::createHeadless(*backend, {size->width, size->height});
   if (!headless) return headless.error();
-  const auto picture = Picture::create(**headless, options.samples);
+  auto picture = Picture::create(**headless, options.samples);
   if (!picture) return picture.error();
-  const Status folder = prepareFolder(options.out);
+  return Canvas{*size, std::move(*headless), std::move(*picture)};
+}
+
+Status drawFrames(const Job& job, Canvas& canvas, const TakeFrame& take) {
+  const auto simulation = job.simulation();
+  if (!simulation) return simulation.error();
+  sim::Game& game = (*simulation)->game();
+  replay::Player player(job.replay, **simulation);
+  const FrameRange& frames = job.frames;
+  // So much earlier, any range of frames comes out as it does in a rendering of the whole replay.
+  const std::uint32_t begin = frames.first > view::kMemoryTicks ? frames.first - view::kMemoryTicks : 0;
+  if (begin > 0) {
+    const Status found = player.seek(begin);
+    if (!found) return found;
+  }
+  Progress progress("rendering", frames.last - begin);
+  while (true) {
+    canvas.picture->ticked(game);
+    const std::uint32_t frame = player.tick();
+    if (frame >= frames.first && (frame - frames.first) % job.options.every == 0) {
+      canvas.picture->draw(game, 1.0f, {canvas.size.width, canvas.size.height});
+      const Status taken = take(canvas.picture->readBack(), frame);
+      if (!taken) return taken;
+    }
+    progress.reached(frame - begin);
+    if (frame >= frames.last) return Done{};
+    player.step();
+  }
+}
+
+Status writeSound(const Job& job, const std::string& path) {
+  const auto simulation = job.simulation();
+  if (!simulation) return simulation.error();
+  return writeSoundtrack(job.replay, **simulation, job.frames, path);
+}
+
+double seconds(const FrameRange& frames) {
+  return static_cast<double>(frames.last - frames.first + 1) / sim::rules::kTickRate;
+}
+
+Status renderPictures(const Job& job) {
+  const std::string& out = job.options.out;
+  Result<Canvas> canvas = makeCanvas(job.options);
+  if (!canvas) return canvas.error();
+  const Status folder = prepareFolder(out);
   if (!folder) return folder;
-  const Status rendered =
-      renderFrames({replay, simulation, **picture, pictureSize, frames, options.every, options.out});
-  if (!rendered) return rendered;
-  std::printf("%s: %u pictures of %dx%d\n", options.out.c_str(), (frames.last - frames.first) / options.every + 1,
-              size->width, size->height);
+  const Status drawn = drawFrames(job, *canvas, [&](const render::Image& image, std::uint32_t frame) {
+    return render::writePng(image, pictureName(out, frame));
+  });
+  if (!drawn) return drawn;
+  std::printf("%s: %u pictures of %dx%d\n", out.c_str(), job.pictures(), canvas->size.width, canvas->size.height);
   return Done{};
 }
 
-Status renderSound(const RenderOptions& options, const replay::Replay& replay, const FrameRange& frames,
-                   GameSimulation& simulation) {
-  const Status written = writeSoundtrack(replay, simulation, frames, options.sound);
+/// A file for the time of the work.
+struct Scratch {
+  std::string path;
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+};
+
+Status drawMovie(const Job& job, Canvas& canvas, const std::string& sound) {
+  const auto movie = Movie::open({job.options.out, sound, canvas.size, job.options.every});
+  if (!movie) return movie.error();
+  const Status drawn =
+      drawFrames(job, canvas, [&](const render::Image& image, std::uint32_t) { return (*movie)->write(image); });
+  return drawn ? (*movie)->close() : drawn;
+}
+
+Status renderVideo(const Job& job) {
+  const std::string& out = job.options.out;
+  Result<Canvas> canvas = makeCanvas(job.options);
+  if (!canvas) return canvas.error();
+  const Status possible = Movie::check(out, canvas->size);
+  if (!possible) return possible;
+  const Scratch sound{out + ".part.wav"};
+  const Status heard = writeSound(job, sound.path);
+  if (!heard) return heard;
+  const Status drawn = drawMovie(job, *canvas, sound.path);
+  if (!drawn) return drawn;
+  std::printf("%s: %.2f s, %u pictures of %dx%d\n", out.c_str(), seconds(job.frames), job.pictures(),
+              canvas->size.width, canvas->size.height);
+  return Done{};
+}
+
+Status renderSound(const Job& job) {
+  const Status written = writeSound(job, job.options.sound);
   if (!written) return written;
-  std::printf("%s: %.2f s of sound\n", options.sound.c_str(),
-              static_cast<double>(frames.last - frames.first + 1) / sim::rules::kTickRate);
+  std::printf("%s: %.2f s of sound\n", job.options.sound.c_str(), seconds(job.frames));
   return Done{};
 }
 
@@ -118,21 +176,22 @@ Status renderSound(const RenderOptions& options, const replay::Replay& replay, c
 
 int render(const RenderOptions& options) {
   if (options.out.empty() && options.sound.empty())
-    return refuse({"--out DIR for pictures or --sound FILE is needed (brittle render --help)"});
+    return refuse(
+        {"--out DIR for pictures, --out FILE.mp4 for a video or --sound FILE is needed (brittle render --help)"});
   const Result<replay::Replay> replay = loadReplay(options.replay);
   if (!replay) return refuse(replay.error());
   const Result<FrameRange> frames = framesOf(options.frames, replay->ticks());
   if (!frames) return refuse(frames.error());
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
-  using Write = Status (*)(const RenderOptions&, const replay::Replay&, const FrameRange&, GameSimulation&);
-  const std::pair<const std::string&, Write> outputs[] = {{options.out, renderPictures}, {options.sound, renderSound}};
-  for (const auto& [path, write] : outputs) {
-    if (path.empty()) continue;
-    const auto simulation = openReplay(**assets, *replay, options.replay);
-    if (!simulation) return refuse(simulation.error());
-    const Status written = write(options, *replay, *frames, **simulation);
-    if (!written) return refuse(written.error());
+  const Job job{options, **assets, *replay, *frames};
+  if (!options.out.empty()) {
+    const Status seen = Movie::isNamed(options.out) ? renderVideo(job) : renderPictures(job);
+    if (!seen) return refuse(seen.error());
+  }
+  if (!options.sound.empty()) {
+    const Status heard = renderSound(job);
+    if (!heard) return refuse(heard.error());
   }
   return kDone;
 }
