@@ -50,9 +50,9 @@ void confine(State& state, BodyHandle handle, const Meeting& meeting) {
 void confineBodies(State& state) {
   BR_ZONE("confine");
   for (const Heavy& next : state.moveOrder) {
-    for (const Firmness firmness : {Firmness::Firm, Firmness::Immovable}) {
+    for (const bool isImmovable : {false, true}) {  // what cannot move has the last word
       forEachMeeting(state, next.body, [&](const Meeting& meeting) {
-        if (meeting.firmness == firmness) confine(state, next.body, meeting);
+        if (meeting.isImmovable == isImmovable) confine(state, next.body, meeting);
       });
     }
   }

@@ -4,17 +4,11 @@ namespace brittle::physics {
 namespace {
 
 constexpr float kObstacleRatio = 5.0f;  // a body this many times as heavy does not give way [-]
-constexpr float kFirmRatio = 100.0f;    // and from here on its place comes first [-]
 
 bool isObstacle(const State& state, const Body& mover, const Body& other) {
   if (!mover.isDynamic() || !mover.awake) return false;
   if (!other.isDynamic() || !other.awake) return true;
   return state.tick != other.bornTick && other.mass > kObstacleRatio * mover.mass;
-}
-
-Firmness firmnessOf(const Body& mover, const Body& other) {
-  if (!other.isDynamic() || !other.awake) return Firmness::Immovable;
-  return other.mass > kFirmRatio * mover.mass ? Firmness::Firm : Firmness::Heavier;
 }
 
 float farthestAlong(const geometry::Proxy& proxy, const Transform& pose, const Vec3& direction) {
@@ -60,8 +54,8 @@ void gatherMeetings(State& state) {
     const bool stopsA = isObstacle(state, state.bodies[a], state.bodies[b]);
     if (!stopsA && !isObstacle(state, state.bodies[b], state.bodies[a])) return;
     std::uint32_t& first = state.firstMeeting[stopsA ? a.index : b.index];
-    const Firmness firmness = firmnessOf(state.bodies[stopsA ? a : b], state.bodies[stopsA ? b : a]);
-    state.meetings.push_back({handle.index, stopsA, firmness, first});
+    const Body& obstacle = state.bodies[stopsA ? b : a];
+    state.meetings.push_back({handle.index, stopsA, !obstacle.isDynamic() || !obstacle.awake, first});
     first = static_cast<std::uint32_t>(state.meetings.size() - 1);
   });
 }

@@ -9,7 +9,7 @@ namespace brittle::physics {
 namespace {
 
 constexpr float kFastRatio = 0.5f;   // of its inner radius: who moves further, seen from an obstacle, is swept [-]
-constexpr int kMaxSlides = 3;        // surfaces a fast body may slide along within a tick
+constexpr int kMaxSlides = 6;        // surfaces a fast body may slide along within a tick
 constexpr float kSweepDepth = 0.1f;  // of the smaller inner radius: a way that ends no deeper needs no sweep [-]
 
 void moveBody(Body& body, float time) {
@@ -75,14 +75,13 @@ bool staysOutside(const State& state, const Pair& pair, const Transform& begin, 
          pair.separation(begin, otherBegin) >= allowed;
 }
 
-Stop firstObstacle(State& state, BodyHandle handle, const Body& body, Firmness least, float from, float dt) {
+Stop firstObstacle(State& state, BodyHandle handle, const Body& body, float from, float dt) {
   Stop stop;
   stop.time = dt - from;
   const geometry::Motion motion{body.pose, body.center, body.velocity, body.angularVelocity};
   const Transform end = geometry::poseAt(motion, dt - from);
   const Way ahead = wayOf(state, handle) + wayAhead(body, dt - from);
   forEachMeeting(state, handle, [&](const Meeting& meeting) {
-    if (meeting.firmness < least) return;
     const Pair pair = pairOf(state, meeting);
     const geometry::Motion other = motionFrom(state, pair.other.body, from, dt);
     if (pair.normal.isZero() ? !mayMeet(state, meeting, pair, ahead)
@@ -105,10 +104,8 @@ Stop firstObstacle(State& state, BodyHandle handle, const Body& body, Firmness l
 void moveSwept(State& state, BodyHandle handle, Body& body, float from, float dt) {
   const Vec3 velocity = body.velocity;
   const Vec3 spin = body.angularVelocity;
-  for (int i = 0; i < 2 * kMaxSlides && from < dt; ++i) {
-    // Who has been stopped too often must not be left in the way of a plate: from here on only what is firm counts.
-    const Firmness least = i < kMaxSlides ? Firmness::Heavier : Firmness::Firm;
-    const Stop stop = firstObstacle(state, handle, body, least, from, dt);
+  for (int i = 0; i < kMaxSlides && from < dt; ++i) {
+    const Stop stop = firstObstacle(state, handle, body, from, dt);
     moveBody(body, stop.time);
     if (!stop.hit) break;
     from += stop.time;

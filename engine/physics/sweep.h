@@ -19,18 +19,11 @@ struct Placement {
   float time = 0.0f;  // within the tick [s]: a striker has been moved to its impact already
 };
 
-/// What does not give way to a body: in rising order of who has the last word.
-enum class Firmness : std::uint8_t {
-  Heavier,    // several times as heavy
-  Firm,       // so much heavier that the body's place is for it to say
-  Immovable,  // static, animated or asleep
-};
-
 /// A body and something that does not give way to it.
 struct Meeting {
   std::uint32_t contact = 0;  // slot
   bool isA = false;           // the body is contact.a's
-  Firmness firmness = Firmness::Immovable;
+  bool isImmovable = false;
   std::uint32_t next = 0;  // of the same body, or kNoMeeting
 };
 inline constexpr std::uint32_t kNoMeeting = 0xffffffff;

@@ -11,6 +11,7 @@ throw{tick=349, x=-0.300, y=-0.003}
 throw{tick=480, x=-0.244, y=0.035}
 throw{tick=489, x=0.318, y=-0.142}
 throw{tick=518, x=0.020, y=-0.021}
+throw{tick=536, x=0.000, y=-0.015}
 throw{tick=556, x=0.244, y=0.036}
 throw{tick=654, x=0.000, y=-0.010}
 throw{tick=687, x=0.000, y=-0.203}
@@ -30,6 +31,9 @@ throw{tick=1390, x=0.365, y=0.004}
 throw{tick=1412, x=-0.176, y=0.013}
 throw{tick=1421, x=0.000, y=-0.016}
 throw{tick=1430, x=0.216, y=0.006}
+throw{tick=1470, x=0.000, y=-0.012}
+throw{tick=1500, x=0.000, y=-0.012}
+throw{tick=1530, x=0.000, y=-0.012}
 run(1000)
 expect_crashes(0)
 expect_streak(1, 9)

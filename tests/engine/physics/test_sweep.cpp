@@ -31,6 +31,28 @@ TEST(Sweep, WhatIsHitDoesNotFlyThroughWhatWasOutOfItsReach) {
   }
 }
 
+// The plate is heavier than the balls by so little that the solver alone cannot hold them, and where they meet it depends
+// on its having moved first.
+TEST(Sweep, WhatIsHitDoesNotFlyThroughAPlateThatComesTowardsIt) {
+  for (const float plateMass : {10.4f, 20.0f, 40.0f, 80.0f, 320.0f}) {
+    for (int phase = 0; phase < 64; ++phase) {
+      World world(weightless());
+      const BodyHandle rests = addBall(world, Vec3(0.0f, 0.0f, 0.0f), Vec3::Zero(), 0.05f, 1.0f);
+      const Vec3 start(0.0f, 1.0f + 0.03f * static_cast<float>(phase), 0.0f);
+      const BodyHandle flies = addBall(world, start, Vec3(0.0f, -120.0f, 0.0f), 0.05f, 2.0f);
+      BodyDef def = bodyAt(Vec3(0.0f, -0.9f, 0.0f));
+      def.velocity = Vec3(0.0f, 12.0f, 0.0f);
+      const BodyHandle plate = addBox(world, def, kPlate, shapeDef(plateMass / 0.08f));
+      for (int tick = 0; tick < 8; ++tick) {
+        world.step(kTick);
+        const float middle = world.body(plate).center.y();
+        ASSERT_GT(world.body(rests).center.y(), middle) << plateMass << " kg, phase " << phase << ", tick " << tick;
+        ASSERT_GT(world.body(flies).center.y(), middle) << plateMass << " kg, phase " << phase << ", tick " << tick;
+      }
+    }
+  }
+}
+
 // Each box is four times as heavy as the one below: none is so heavy that it would not give way, but together they
 // press hard.
 TEST(Sweep, WhatIsPressedStaysOnItsSide) {
