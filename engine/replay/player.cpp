@@ -26,8 +26,10 @@ Status Player::seek(std::uint32_t target) {
                  " ticks"};
   const Snapshot* snapshot = replay_.snapshotBefore(target);
   if (snapshot != nullptr && (snapshot->tick > tick_ || target < tick_)) {
-    if (!restoreFrom(*snapshot, simulation_))
-      return Error{"the snapshot of tick " + std::to_string(snapshot->tick) + " cannot be restored"};
+    const std::string name = "the snapshot of tick " + std::to_string(snapshot->tick);
+    if (!restoreFrom(*snapshot, simulation_)) return Error{name + " cannot be restored"};
+    if (simulation_.hash() != replay_.hashes[snapshot->tick - 1])
+      return Error{name + " is not the state recorded there: verify the replay"};
     tick_ = snapshot->tick;
   }
   if (target < tick_) return Error{"no snapshot before tick " + std::to_string(target) + ": start the game again"};

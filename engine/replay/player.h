@@ -27,7 +27,7 @@ class Player {
   bool step();
   /// Forward or back to the state after `target` ticks: restores the nearest snapshot if that is ahead of where the
   /// player is, then simulates. Back before the first snapshot needs a fresh simulation, so a target behind is refused
-  /// then.
+  /// then; so is a snapshot that does not hash as recorded. The simulation is of no use after a refused snapshot.
   Status seek(std::uint32_t target);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/replay/compress.h"
 #include "tests/engine/replay/toy_simulation.h"
 
 namespace brittle::replay {
@@ -81,6 +82,22 @@ TEST(Player, SeekingWhereItCannotGoSaysSo) {
   EXPECT_EQ(player.seek(101).error().message, "tick 101 is beyond the replay's 100 ticks");
   ASSERT_TRUE(player.seek(50));
   EXPECT_EQ(player.seek(10).error().message, "no snapshot before tick 10: start the game again");
+}
+
+TEST(Player, SeekingRefusesASnapshotThatIsNotTheStateRecordedThere) {
+  Replay replay = toyReplay(100);
+  ToySimulation other(43);
+  other.tick(toyInput(0));
+  ByteWriter out;
+  other.save(out);
+  replay.snapshots[1].size = static_cast<std::uint32_t>(out.bytes().size());
+  replay.snapshots[1].block = compress(out.bytes());
+  ToySimulation simulation(42);
+  Player player(replay, simulation);
+  ASSERT_TRUE(player.seek(50)) << "the snapshot of tick 40 is sound";
+  const Status status = player.seek(90);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().message, "the snapshot of tick 80 is not the state recorded there: verify the replay");
 }
 
 TEST(Player, AnEmptyReplayVerifies) {
