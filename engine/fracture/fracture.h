@@ -100,8 +100,8 @@ class Fracturer {
   std::unique_ptr<Scratch> scratch_;
 };
 
-/// Groups a compound by connection without cutting anything (at load, and after a part is taken away). For each part its group;
-/// groups are numbered by their lowest part.
+/// Groups a compound by connection without cutting anything: what tests compare a breaking with. For each part its
+/// group; groups are numbered by their lowest part.
 void connectParts(std::span<const Part> parts, float slop, std::vector<std::uint32_t>& groupOfPart);
 
 /// True if two convexes (same frame) hang together: facing faces, closer than `slop` [m], share more than (2 slop)^2 of area.

@@ -1,6 +1,6 @@
-// geometry/convex.h - a convex polyhedron as a half-edge mesh with 16-bit indices. All coordinates are local to the body that
-// holds it. Knows nothing of bodies, materials or drawing; everything in geometry, fracture and physics is built on it.
-// Templated on its scalar: float in the engine; double and exact rationals in tests and in the accuracy study.
+// geometry/convex.h - a convex polyhedron as a half-edge mesh with 16-bit indices. All coordinates are local to the
+// body that holds it. Knows nothing of bodies, materials or drawing; everything in geometry, fracture and physics is
+// built on it. Templated on its scalar: float in the engine; double and exact rationals in tests.
 #pragma once
 
 #include <cstdint>

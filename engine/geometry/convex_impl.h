@@ -1,5 +1,5 @@
 // geometry/convex_impl.h - the bodies of convex.h's templates. Include it only to instantiate them for another scalar
-// (tests and the accuracy study do, with exact rationals); float and double are instantiated in convex.cpp.
+// (tests do, with exact rationals); float and double are instantiated in convex.cpp.
 #pragma once
 
 #include "engine/geometry/convex.h"

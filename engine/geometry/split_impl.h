@@ -1,6 +1,5 @@
 // geometry/split_impl.h - the body of split.h's template. Include it only to instantiate it for another scalar (tests
-// and the accuracy study do, with exact rationals); float and double are instantiated in split.cpp. How it works is
-// told there.
+// do, with exact rationals); float and double are instantiated in split.cpp. How it works is told there.
 #pragma once
 
 #include "engine/core/assert.h"

@@ -38,7 +38,6 @@ inline Transform relativeTo(const Transform& a, const Transform& b) {
   return {a.toLocal(b.position), a.rotation.conjugate() * b.rotation};
 }
 
-/// The rotation after turning with angular velocity `w` [rad/s] for `dt` [s]; exact for constant w.
 /// The rotation vector [rad] that leads from `a` to `b`, at most half a turn.
 inline Vec3 rotationBetween(const Quat& a, const Quat& b) {
   Quat turn = b * a.conjugate();
@@ -47,6 +46,7 @@ inline Vec3 rotationBetween(const Quat& a, const Quat& b) {
   return s > 1e-9f ? Vec3(turn.vec() * (2.0f * arcTangent(s, turn.w()) / s)) : Vec3(Vec3::Zero());
 }
 
+/// The rotation after turning with angular velocity `w` [rad/s] for `dt` [s]; exact for constant w.
 inline Quat integrateRotation(const Quat& q, const Vec3& w, float dt) {
   const float speed = w.norm();
   if (speed * dt < 1e-9f) return q;

@@ -25,7 +25,7 @@ inline float timeLeft(const Body& a, const Body& b, float dt) {
   return maxOf(dt - maxOf(a.timeUsed, b.timeUsed), 1e-3f * dt);
 }
 
-/// A row along `direction` at the arms rA, rB. Returns the effective mass by 1 / (direction's compliance).
+/// A row along `direction` at the arms rA, rB [m]; its effective mass is 1 / compliance, 0 if nothing gives way.
 template <class N>
 void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec3& rB, const Vec3& direction, float impulse, int i,
              Row<N>& row) {

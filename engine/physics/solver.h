@@ -28,7 +28,7 @@ class ContactSolver {
   void storeBodies(State& state) const;
 
   /// Builds the rows of every contact within State::reach that has an awake body: batches for the unlimited, one by one
-  /// for those of active strikes. `warmStart`: apply the accumulated impulses (first round of a tick); otherwise they
+  /// for those of active strikes. `warmStart`: apply the accumulated impulses (first pass of a tick); otherwise they
   /// are in the velocities.
   void prepare(State& state, float dt, bool warmStart);
   /// Runs `iterations` sweeps over joints, batches and strikes.
