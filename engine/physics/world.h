@@ -84,7 +84,6 @@ class World {
   void setVelocity(BodyHandle body, const Vec3& velocity, const Vec3& angularVelocity);
   void setPose(BodyHandle body, const Transform& pose);
   void setBreakable(BodyHandle body, const Breakable& breakable);
-  void setGravity(const Vec3& gravity);
   void setAccuracy(const Accuracy& accuracy);
   const Accuracy& accuracy() const;
   void applyImpulse(BodyHandle body, const Vec3& impulse, const Vec3& point);

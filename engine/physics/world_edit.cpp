@@ -145,13 +145,6 @@ void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
   body.breakable = breakable.strength > 0.0f;
 }
 
-void World::setGravity(const Vec3& gravity) {
-  BR_ASSERT(isFinite(gravity));
-  if (gravity != state_->gravity)
-    state_->bodies.forEach([&](BodyHandle handle, const Body&) { wakeBody(*state_, handle); });
-  state_->gravity = gravity;
-}
-
 void World::setAccuracy(const Accuracy& accuracy) { state_->accuracy = accuracy; }
 
 void World::applyImpulse(BodyHandle handle, const Vec3& impulse, const Vec3& point) {

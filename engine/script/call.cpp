@@ -42,12 +42,6 @@ bool Call::has(int index) const {
 bool Call::isNumber(int index) const {
   return lua_isnumber(lua_, index) != 0;
 }
-bool Call::isText(int index) const {
-  return lua_type(lua_, index) == LUA_TSTRING && !isNumber(index);
-}
-bool Call::isBoolean(int index) const {
-  return lua_isboolean(lua_, index);
-}
 
 void Call::fail(const std::string& what) {
   if (failed_) return;

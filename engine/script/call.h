@@ -22,9 +22,6 @@ class Call {
   bool has(int index) const;
   /// A number, or a string that reads as one.
   bool isNumber(int index) const;
-  /// A string that does not read as a number.
-  bool isText(int index) const;
-  bool isBoolean(int index) const;
 
   /// A finite number of at most 1e15 in size; strings that read as numbers count. Wrong or missing: the call fails,
   /// gives 0.

@@ -85,7 +85,6 @@ inline constexpr float kGravity = 9.81f;  // [m/s2] at the format's gravity 1
 
 // Collision categories (bits), the format's.
 inline constexpr std::uint32_t kCategoryDefault = 1;
-inline constexpr std::uint32_t kCategoryDoor = 2;
 inline constexpr std::uint32_t kCategoryCrystal = 4;
 inline constexpr std::uint32_t kCategoryBall = 8;    // ours: the format leaves it open
 inline constexpr std::uint32_t kCategoryRoom = 128;  // what rays with mask 128 ask for

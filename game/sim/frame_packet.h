@@ -128,8 +128,6 @@ struct Hud {
   float distance = 0.0f;             // displayed, in the level's units
   float roomProgress = 0.0f;         // 0 to 1
   float pain = 0.0f;                 // red border, 1 to 0
-  bool gameOver = false;
-  bool levelDone = false;
 };
 
 struct FramePacket {

@@ -81,8 +81,6 @@ void Game::Impl::refreshHud() {
   hud.distance = track->displayedDistance();
   hud.roomProgress = clampTo(track->pace().distance() / track->pace().roomLength(), 0.0f, 1.0f);
   hud.pain = static_cast<float>(score.pain) / static_cast<float>(rules::kPainTicks);
-  hud.gameOver = stage.phase == Phase::GameOver;
-  hud.levelDone = stage.phase == Phase::Checkpoint;
 }
 
 const char* nameOf(Phase phase) {
@@ -223,9 +221,6 @@ const std::vector<std::string>& Game::soundNames() const {
 std::uint64_t Game::roomNumber() const {
   return impl_->track->current().number();
 }
-std::int32_t Game::roomTicks() const {
-  return impl_->track->pace().ticks();
-}
 float Game::roomDistance() const {
   return impl_->track->pace().distance();
 }
@@ -281,30 +276,6 @@ geometry::MeshPool* Game::meshes(std::uint32_t slot) {
   if (track.current().slot() == slot) return &track.current().world().meshes();
   if (track.next() != nullptr && track.next()->slot() == slot) return &track.next()->world().meshes();
   return nullptr;
-}
-
-physics::Counters Game::counters() const {
-  physics::Counters sum = impl_->track->current().world().counters();
-  if (impl_->track->next() == nullptr) return sum;
-  const physics::Counters& other = impl_->track->next()->world().counters();
-  sum.bodies += other.bodies;
-  sum.awakeBodies += other.awakeBodies;
-  sum.shapes += other.shapes;
-  sum.contacts += other.contacts;
-  sum.points += other.points;
-  sum.pairsTested += other.pairsTested;
-  sum.rounds = maxOf(sum.rounds, other.rounds);
-  sum.breaks += other.breaks;
-  sum.pieces += other.pieces;
-  sum.crumbs += other.crumbs;
-  sum.held += other.held;
-  sum.swept += other.swept;
-  return sum;
-}
-
-void Game::setAccuracy(const physics::Accuracy& accuracy) {
-  impl_->session.def.accuracy = accuracy;
-  impl_->track->setAccuracy(accuracy);
 }
 
 }  // namespace brittle::sim

@@ -12,7 +12,6 @@
 #include "engine/core/result.h"
 #include "engine/effects/effect_set.h"
 #include "engine/physics/accuracy.h"
-#include "engine/physics/events.h"
 #include "engine/physics/world.h"
 #include "engine/replay/input_frame.h"
 #include "game/sim/event.h"
@@ -100,7 +99,6 @@ class Game {
   const std::vector<Problem>& problems() const;
   const std::vector<std::string>& soundNames() const;
   std::uint64_t roomNumber() const;   // of the room the camera is in
-  std::int32_t roomTicks() const;     // since that room was entered
   float roomDistance() const;         // of the camera from that room's start [m]
   std::int64_t globalOrigin() const;  // of that room [2^-8 m]
   std::uint32_t totalBreaks() const;  // breakings since the start
@@ -119,10 +117,6 @@ class Game {
   geometry::MeshPool* meshes(std::uint32_t slot);
   /// What the rooms alive demand, with who asked.
   const effects::EffectSet& effects() const;
-  /// Counters of the last step, of both rooms together.
-  physics::Counters counters() const;
-  /// Effect on the next ticks; part of the replay's settings, so only for tools.
-  void setAccuracy(const physics::Accuracy& accuracy);
 
  private:
   struct Impl;

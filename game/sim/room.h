@@ -70,8 +70,6 @@ class Room {
   void save(ByteWriter& out) const;
   /// Into a room made of the same entry with the same globals.
   bool restore(ByteReader& in);
-  /// The global strings as they were before its script ran.
-  const std::map<std::string, std::string>& globalsBefore() const { return globalsBefore_; }
 
  private:
   struct BuiltSegment {

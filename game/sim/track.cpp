@@ -136,11 +136,6 @@ std::uint64_t Track::stateHash() const {
   return hashBytes(parts, sizeof(parts));
 }
 
-void Track::setAccuracy(const physics::Accuracy& accuracy) {
-  current_->world().setAccuracy(accuracy);
-  if (next_) next_->world().setAccuracy(accuracy);
-}
-
 void Track::save(ByteWriter& out) const {
   SaveArchive archive(out);
   Pace pace = pace_;

@@ -40,7 +40,6 @@ class Track {
   std::uint64_t roomHash() const;
   void save(ByteWriter& out) const;
   bool restore(ByteReader& in);
-  void setAccuracy(const physics::Accuracy& accuracy);
 
  private:
   void makeNext();
