@@ -1,8 +1,6 @@
 // Saving, restoring and hashing a world, all three by one description, so that they cannot cover different things. The hash takes the
 // hash of each mesh in place of its vertices and leaves out the buffers they lie in.
 #include "engine/physics/edit.h"
-
-#include "engine/physics/joint.h"
 #include "engine/physics/world.h"
 
 namespace brittle::physics {
@@ -56,19 +54,6 @@ bool World::restore(ByteReader& in) {
   restored->meshes.markAllDirty();
   state_ = std::move(restored);
   return true;
-}
-
-void World::shiftOrigin(const Vec3& offset) {
-  State& state = *state_;
-  for (int i = 0; i < 3; ++i) BR_ASSERT(offset[i] * 256.0f == static_cast<float>(static_cast<std::int64_t>(offset[i] * 256.0f)));
-  state.bodies.forEach([&](BodyHandle, Body& body) {
-    body.pose.position -= offset;
-    body.center -= offset;
-    body.target.position -= offset;
-  });
-  for (Crumb& crumb : state.debris.crumbs) crumb.position -= offset;
-  state.tree.shift(-offset);
-  shiftJoints(state, offset);
 }
 
 }  // namespace brittle::physics
