@@ -14,23 +14,24 @@ enum class FractureMode : std::uint8_t {
   AfterStepBlended,  // the same, then velocities are blended between before and after the step
 };
 
+/// Ranges are checked by isWithinRange.
 struct Accuracy {
   FractureMode fractureMode = FractureMode::InStep;
-  std::int32_t fractureRounds = 3;       // breakings one after another within a tick, 1 to 64; 0: unbounded
-  bool impulseCap = true;                // off: contacts with breakable bodies are rigid until they break (comparison)
-  float blend = 0.5f;                    // AfterStepBlended: v = v_old t + v_new (1 - t) [-], 0 to 1
-  std::int32_t iterations = 10;          // velocity iterations, 1 to 10000
-  std::int32_t positionIterations = 3;   // push-out iterations, 0 to 100
-  std::int32_t substeps = 1;             // 1 to 64; strength is budgeted over all of them
-  ManifoldSettings manifold;
-  float speculativeMargin = 0.02f;       // contacts exist from this far, beside what the motion of the tick needs [m]
+  std::int32_t fractureRounds = 3;      // breakings one after another within a tick, 1 to 64; 0: unbounded
+  bool impulseCap = true;               // off: contacts with breakable bodies are rigid until they break (comparison)
+  float blend = 0.5f;                   // AfterStepBlended: v = v_old t + v_new (1 - t) [-], 0 to 1
+  std::int32_t iterations = 10;         // velocity iterations, 1 to 10000
+  std::int32_t positionIterations = 3;  // push-out iterations, 0 to 100
+  std::int32_t substeps = 1;            // 1 to 64; strength is budgeted over all of them
+  ManifoldSettings manifold;            // recycleDistance 0 to 1
+  float speculativeMargin = 0.02f;      // contacts exist from this far, beside what the tick's motion needs [m], 0 to 1
   bool warmStart = true;
   bool deactivation = true;
-  float patternDensity = 1.0f;           // cracks relative to the material's own number [-], 0.1 to 10
-  float minVolumeScale = 1.0f;           // smallest piece that is a body, relative to the material's [-]
-  std::int32_t maxDebris = 512;          // light pieces alive at once; the oldest are recycled
-  std::int32_t maxBodies = 2048;         // dynamic pieces alive at once; the oldest resting ones become debris
-  float directSolveMassRatio = 200.0f;   // contacts between bodies further apart in mass are solved directly [-]; 0: never
+  float patternDensity = 1.0f;          // cracks relative to the material's own number [-], 0.1 to 10
+  float minVolumeScale = 1.0f;          // smallest piece that is a body, relative to the material's [-], 0 to 1e6
+  std::int32_t maxDebris = 512;         // light pieces alive at once, to 1e6; the oldest are recycled
+  std::int32_t maxBodies = 2048;        // dynamic pieces alive at once, to 1e6; the oldest resting ones become debris
+  float directSolveMassRatio = 200.0f;  // contacts of bodies further apart in mass: solved at once [-]; 0: never
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -53,5 +54,8 @@ struct Accuracy {
     a(directSolveMassRatio);
   }
 };
+
+/// Whether a world can be stepped with these: every number finite and within the range named above.
+bool isWithinRange(const Accuracy& accuracy);
 
 }  // namespace brittle::physics

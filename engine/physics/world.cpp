@@ -104,7 +104,7 @@ void countWhatIsThere(State& state) {
 }  // namespace
 
 World::World(const WorldDef& def) : state_(std::make_unique<State>()) {
-  BR_ASSERT(isFinite(def.gravity));
+  BR_ASSERT(isFinite(def.gravity) && isWithinRange(def.accuracy));
   state_->gravity = def.gravity;
   state_->accuracy = def.accuracy;
   state_->seed = def.seed;

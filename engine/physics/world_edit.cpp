@@ -145,7 +145,10 @@ void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
   body.breakable = breakable.strength > 0.0f;
 }
 
-void World::setAccuracy(const Accuracy& accuracy) { state_->accuracy = accuracy; }
+void World::setAccuracy(const Accuracy& accuracy) {
+  BR_ASSERT(isWithinRange(accuracy));
+  state_->accuracy = accuracy;
+}
 
 void World::applyImpulse(BodyHandle handle, const Vec3& impulse, const Vec3& point) {
   Body& body = state_->bodies[handle];

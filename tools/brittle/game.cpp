@@ -32,23 +32,11 @@ bool isWithin(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
-/// Whether a game can be played with these settings: within the ranges that physics/accuracy.h names.
-bool isPlayable(const physics::Accuracy& accuracy) {
-  return accuracy.fractureMode <= physics::FractureMode::AfterStepBlended && accuracy.fractureRounds >= 0 &&
-         accuracy.fractureRounds <= 64 && isWithin(accuracy.blend, 0.0f, 1.0f) && accuracy.iterations >= 1 &&
-         accuracy.iterations <= 10000 && accuracy.positionIterations >= 0 && accuracy.positionIterations <= 100 &&
-         accuracy.substeps >= 1 && accuracy.substeps <= 64 && isWithin(accuracy.manifold.recycleDistance, 0.0f, 1.0f) &&
-         isWithin(accuracy.speculativeMargin, 0.0f, 1.0f) && isWithin(accuracy.patternDensity, 0.1f, 10.0f) &&
-         isWithin(accuracy.minVolumeScale, 0.0f, 1e6f) && accuracy.maxDebris >= 0 && accuracy.maxDebris <= 1'000'000 &&
-         accuracy.maxBodies >= 0 && accuracy.maxBodies <= 1'000'000 &&
-         isWithin(accuracy.directSolveMassRatio, 0.0f, 1e9f);
-}
-
+/// Whether a game can be played with these settings.
 bool isPlayable(const sim::GameDef& def) {
   constexpr std::int64_t farthest = std::int64_t{1} << 40;  // [2^-8 m]
-  return isPlayable(def.accuracy) && def.accuracy.manifold.kind <= physics::ManifoldKind::Clipped &&
-         def.startOffset >= -farthest && def.startOffset <= farthest && def.balls >= 0 &&
-         def.balls <= sim::rules::kBallCap && def.streak >= 0 && def.streak <= 1'000'000 &&
+  return physics::isWithinRange(def.accuracy) && def.startOffset >= -farthest && def.startOffset <= farthest &&
+         def.balls >= 0 && def.balls <= sim::rules::kBallCap && def.streak >= 0 && def.streak <= 1'000'000 &&
          isWithin(def.distance, 0.0f, 1e9f);
 }
 
