@@ -75,6 +75,10 @@ struct Body {
   Vec3 velocityAt(const Vec3& point) const { return velocity + angularVelocity.cross(point - center); }
   void placeByCenter() { pose.position = center - pose.rotation * localCenter; }
   void placeByPose() { center = pose.toWorld(localCenter); }
+  void wake() {
+    awake = true;
+    restTicks = 0;
+  }
 
   template <class Archive>
   void serialize(Archive& a) {

@@ -74,8 +74,7 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
     }
     Body body = state.bodies[old];
     body.type = BodyType::Dynamic;
-    body.awake = true;
-    body.restTicks = 0;
+    body.wake();
     body.firstShape = {};
     body.shapeCount = 0;
     body.hasTarget = false;

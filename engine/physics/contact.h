@@ -24,9 +24,9 @@ struct Contact {
   bool reached = false;               // this tick: a sweep has closed its gap
   bool met = false;                   // this tick: a sweep ended at it
   Vec3 side = Vec3::UnitY();          // then: the normal there, from A towards B
-  std::uint32_t strike = 0xffffffff;  // this tick: index of its strike, or kNoStrike
+  std::uint32_t strike = kNoStrike;   // this tick: index of its strike
   std::uint32_t search = 0;           // State::searches when it was last brought up to date within a tick
-  std::uint32_t next[2] = {0, 0};     // lists of shape a and shape b: contact slot * 2 + side, or kNoProxy
+  std::uint32_t next[2] = {0, 0};     // lists of shape a and shape b: contact slot * 2 + side, or kNoContact
   std::uint32_t previous[2] = {0, 0};
 
   template <class Archive>

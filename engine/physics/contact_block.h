@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/physics/contact_rows.h"
+#include "engine/physics/ids.h"
 
 namespace brittle::physics {
 
@@ -17,7 +18,7 @@ inline constexpr int kMaxBlockRows = 32;  // more points than that on one light 
 struct Single {
   ContactRows<float> rows;
   std::uint32_t bodyA = 0, bodyB = 0, contact = 0;
-  std::uint32_t strike = 0;  // kNoStrike: unlimited
+  std::uint32_t strike = kNoStrike;  // then unlimited
   int points = 0;
 };
 

@@ -11,8 +11,8 @@ void link(State& state, std::uint32_t slot, std::uint32_t side, ShapeHandle hand
   Shape& shape = state.shapes[handle];
   Contact& contact = state.contacts.at(slot);
   contact.next[side] = shape.firstContact;
-  contact.previous[side] = kNoProxy;
-  if (shape.firstContact != kNoProxy)
+  contact.previous[side] = kNoContact;
+  if (shape.firstContact != kNoContact)
     state.contacts.at(shape.firstContact >> 1).previous[shape.firstContact & 1] = slot * 2 + side;
   shape.firstContact = slot * 2 + side;
   ++shape.contactCount;
@@ -23,9 +23,11 @@ void unlink(State& state, std::uint32_t slot, std::uint32_t side, ShapeHandle ha
   const Contact& contact = state.contacts.at(slot);
   const std::uint32_t next = contact.next[side];
   const std::uint32_t previous = contact.previous[side];
-  if (previous == kNoProxy) shape.firstContact = next;
-  else state.contacts.at(previous >> 1).next[previous & 1] = next;
-  if (next != kNoProxy) state.contacts.at(next >> 1).previous[next & 1] = previous;
+  if (previous == kNoContact)
+    shape.firstContact = next;
+  else
+    state.contacts.at(previous >> 1).next[previous & 1] = next;
+  if (next != kNoContact) state.contacts.at(next >> 1).previous[next & 1] = previous;
   --shape.contactCount;
 }
 

@@ -12,17 +12,12 @@ void removeContact(State& state, ContactHandle contact);
 /// The contact of two shapes, or null. Walks the shorter list.
 ContactHandle findContact(const State& state, ShapeHandle a, ShapeHandle b);
 
-/// One entry of a shape's list.
-struct ContactEdge {
-  std::uint32_t slot;  // of the contact
-  std::uint32_t side;  // 0: the shape is contact.a
-};
-
-/// Visits the contacts of a shape, newest first: visit(slot, side) -> bool (false stops). The visitor may remove the contact.
+/// Visits the contacts of a shape, newest first: visit(slot, side) -> bool (false stops); side 0: the shape is
+/// contact.a. The visitor may remove the contact.
 template <class Visit>
 void forEachContact(const State& state, const Shape& shape, Visit&& visit) {
   std::uint32_t edge = shape.firstContact;
-  while (edge != kNoProxy) {
+  while (edge != kNoContact) {
     const std::uint32_t slot = edge >> 1;
     const std::uint32_t side = edge & 1;
     edge = state.contacts.at(slot).next[side];

@@ -40,30 +40,22 @@ void putToRest(Body& body) {
   body.angularVelocity.setZero();
 }
 
+/// If one of two that hold on to each other moves, the other one wakes.
+void wakeByMotion(Body& a, Body& b) {
+  if (a.awake == b.awake) return;
+  const Body& mover = a.awake ? a : b;
+  Body& sleeper = a.awake ? b : a;
+  if (sleeper.isDynamic() && isMoving(mover)) sleeper.wake();
+}
+
 void wakeTouchedByMotion(State& state) {
   state.contacts.forEach([&](ContactHandle, const Contact& contact) {
-    if (!contact.touching) return;
-    Body& a = state.bodyOf(state.shapes[contact.a]);
-    Body& b = state.bodyOf(state.shapes[contact.b]);
-    if (a.awake == b.awake) return;
-    const Body& mover = a.awake ? a : b;
-    Body& sleeper = a.awake ? b : a;
-    if (!sleeper.isDynamic() || !isMoving(mover)) return;
-    sleeper.awake = true;
-    sleeper.restTicks = 0;
+    if (contact.touching) wakeByMotion(state.bodyOf(state.shapes[contact.a]), state.bodyOf(state.shapes[contact.b]));
   });
   state.joints.forEach([&](JointHandle, const Joint& joint) {
-    const Shape* shapeA = state.shapes.find(joint.a);
-    const Shape* shapeB = state.shapes.find(joint.b);
-    if (shapeA == nullptr || shapeB == nullptr) return;
-    Body& a = state.bodyOf(*shapeA);
-    Body& b = state.bodyOf(*shapeB);
-    if (a.awake == b.awake) return;
-    const Body& mover = a.awake ? a : b;
-    Body& sleeper = a.awake ? b : a;
-    if (!sleeper.isDynamic() || !isMoving(mover)) return;
-    sleeper.awake = true;
-    sleeper.restTicks = 0;
+    const Shape* a = state.shapes.find(joint.a);
+    const Shape* b = state.shapes.find(joint.b);
+    if (a != nullptr && b != nullptr) wakeByMotion(state.bodyOf(*a), state.bodyOf(*b));
   });
 }
 
@@ -71,9 +63,7 @@ void wakeTouchedByMotion(State& state) {
 
 void wakeBody(State& state, BodyHandle handle) {
   Body* body = state.bodies.find(handle);
-  if (body == nullptr || !body->isDynamic()) return;
-  body->awake = true;
-  body->restTicks = 0;
+  if (body != nullptr && body->isDynamic()) body->wake();
 }
 
 void wakeTouching(State& state, ShapeHandle first) {
@@ -88,8 +78,7 @@ void wakeTouching(State& state, ShapeHandle first) {
       const ShapeHandle other = side == 0 ? contact.b : contact.a;
       Body& body = state.bodyOf(state.shapes[other]);
       if (!contact.touching || !body.isDynamic() || body.awake) return true;
-      body.awake = true;
-      body.restTicks = 0;
+      body.wake();
       // Within a tick: its inertia and tight boxes are from whenever it fell asleep, and a restored world has none of them.
       refreshInertia(body);
       forEachShape(state, body, [&](ShapeHandle next, const Shape& shape) {

@@ -57,15 +57,14 @@ float innerRadiusOf(const geometry::ConvexView& convex) {
 }
 
 BodyHandle makeBody(State& state, const Body& body) {
-  const BodyHandle handle = state.bodies.insert(body);
-  return handle;
+  return state.bodies.insert(body);
 }
 
 ShapeHandle makeConvex(State& state, BodyHandle body, const Shape& like, const geometry::ConvexView& convex,
                        const geometry::MassProperties& properties) {
   Shape shape = like;
   shape.next = {};
-  shape.firstContact = kNoProxy;
+  shape.firstContact = kNoContact;
   shape.contactCount = 0;
   shape.mesh = state.meshes.add(convex, body.index, like.drawMaterial, like.drawFlags);
   setGeometry(shape, convex, properties);

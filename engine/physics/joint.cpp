@@ -178,9 +178,9 @@ void JointSolver::findActive(const State& state) {
   groupJoints(active_, state.solverBodies.data(), roots_.data(), groups_);
 }
 
-void JointSolver::prepare(const State& state, float dt, bool isFirstRound) {
+void JointSolver::prepare(const State& state, float dt, bool isFirstPass) {
   dt_ = dt;
-  const bool warm = state.accuracy.warmStart || !isFirstRound;
+  const bool warm = state.accuracy.warmStart || !isFirstPass;
   findActive(state);
   joints_.clear();
   SolverBody world;
@@ -202,7 +202,7 @@ void JointSolver::prepare(const State& state, float dt, bool isFirstRound) {
   if (systems_.size() < groups_.size()) systems_.resize(groups_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i)
     systems_[i].factor(joints_.data() + groups_[i].first, groups_[i].count, state.solverBodies.data());
-  prepareDrives(state, dt, isFirstRound);
+  prepareDrives(state, dt, isFirstPass);
 }
 
 void JointSolver::warmStart(SolverBody* bodies) const {

@@ -122,9 +122,9 @@ struct SolverBody;
 /// store at the end. Works on solver bodies (see solver_body.h) indexed by body slot.
 class JointSolver {
  public:
-  /// Reads poses from the bodies, inverse masses from State::solverBodies, which must be filled. `isFirstRound` false: a later
-  /// fracture round of the same tick, without warmStart: what was spent so far (stored before) goes on counting.
-  void prepare(const State& state, float dt, bool isFirstRound = true);
+  /// Reads poses from the bodies, inverse masses from State::solverBodies, which must be filled. `isFirstPass` false: a
+  /// later pass of the same tick, without warmStart: what was spent so far (stored before) goes on counting.
+  void prepare(const State& state, float dt, bool isFirstPass = true);
   void warmStart(SolverBody* bodies) const;
   void solve(SolverBody* bodies);
   /// Pushes anchors together by moving positions only (no velocity is touched). One pass.
@@ -134,7 +134,7 @@ class JointSolver {
 
  private:
   void findActive(const State& state);
-  void prepareDrives(const State& state, float dt, bool isFirstRound);
+  void prepareDrives(const State& state, float dt, bool isFirstPass);
   void solveGroup(std::size_t index, SolverBody* bodies);
   void correctGroup(State& state, const JointGroup& group);
 
@@ -148,7 +148,7 @@ class JointSolver {
   std::vector<SolverBody> moves_;        // by body slot; velocities are displacements
   JointSystem moving_;
   std::vector<PreparedDrive> drives_;    // by body slot, then drive slot
-  std::vector<PreparedDrive> spent_;     // of the round before
+  std::vector<PreparedDrive> spent_;     // of the pass before
   std::vector<AssemblyDrive> assemblies_;  // sorted
   float dt_ = 0.0f;
 };

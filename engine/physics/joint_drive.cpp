@@ -87,9 +87,7 @@ bool isMoving(const Body* body) {
 }
 
 void wakeSleeper(Body* body) {
-  if (!body || !body->isDynamic() || body->awake) return;
-  body->awake = true;
-  body->restTicks = 0;
+  if (body && body->isDynamic() && !body->awake) body->wake();
 }
 
 void wakeJointed(State& state) {
@@ -120,7 +118,7 @@ void solveDrive(PreparedDrive& prepared, SolverBody& body) {
     drive(prepared.angularTarget, Vec3::Zero(), prepared.angularLimit, prepared.angularChange, body.angularVelocity);
 }
 
-void JointSolver::prepareDrives(const State& state, float dt, bool isFirstRound) {
+void JointSolver::prepareDrives(const State& state, float dt, bool isFirstPass) {
   spent_.swap(drives_);
   drives_.clear();
   if (state.drives.size() == 0) return;
@@ -137,7 +135,8 @@ void JointSolver::prepareDrives(const State& state, float dt, bool isFirstRound)
       PreparedDrive prepared = prepareDrive(state.drives.at(it->drive).def, body, state.gravity, dt);
       prepared.body = handle;
       prepared.drive = it->drive;
-      const auto before = isFirstRound ? spent_.end() : std::lower_bound(spent_.begin(), spent_.end(), prepared, isBefore);
+      const auto before =
+          isFirstPass ? spent_.end() : std::lower_bound(spent_.begin(), spent_.end(), prepared, isBefore);
       if (before != spent_.end() && before->body == handle && before->drive == it->drive) {
         prepared.change = before->change;
         prepared.angularChange = before->angularChange;

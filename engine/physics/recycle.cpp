@@ -35,9 +35,7 @@ void reportHit(State& state, const Contact& contact) {
 
 /// What rested on something that slipped away, however slowly, would float.
 void wakeAfterLoss(Body& body) {
-  if (!body.isDynamic() || body.awake) return;
-  body.awake = true;
-  body.restTicks = 0;
+  if (body.isDynamic() && !body.awake) body.wake();
 }
 
 bool isPiece(const Body& body) { return body.isDynamic() && bool(body.striker); }

@@ -30,7 +30,6 @@ struct ShapeDef {
   std::uint32_t userData = 0;       // the game's; pieces inherit it
 };
 
-inline constexpr std::uint32_t kNoProxy = 0xffffffff;
 inline constexpr std::uint32_t kMaxAnchors = 6;
 
 struct Shape {
@@ -48,7 +47,7 @@ struct Shape {
   std::uint16_t drawFlags = 0;
   std::uint32_t userData = 0;
   std::uint32_t proxy = kNoProxy;   // in the broad phase
-  std::uint32_t firstContact = kNoProxy;  // list of its contacts, see contact_graph.h
+  std::uint32_t firstContact = kNoContact;  // list of its contacts, see contact_graph.h
   std::uint32_t contactCount = 0;
   fracture::Anchor anchors[kMaxAnchors];  // where it holds, in the body's frame; a piece that still touches one stays anchored
   std::uint32_t anchorCount = 0;    // 0 and anchored: it holds everywhere

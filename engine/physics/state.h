@@ -51,7 +51,7 @@ struct State {
   std::vector<ShapeHandle> knownPairOf;   // by shape slot: a moved shape it has a contact with
   std::uint32_t searches = 0;             // collision detections within ticks so far
   std::vector<bool> jointedBodies;        // by body slot: has a joint
-  std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next round
+  std::vector<BodyHandle> touchedBodies;  // made or moved within the tick: collided again before the next pass
   Reach reach;                            // what the present pass of the solver takes in
   std::vector<Placement> placements;      // by body slot, of those awake: before positions are integrated
   std::vector<Heavy> moveOrder;           // of those dynamic and awake

@@ -81,7 +81,7 @@ void findCandidates(State& state, std::vector<StrikeCandidate>& candidates) {
 /// Speeds and place of a strike before the solve, and what it would take to stop it. Returns that impulse. [N s]
 float measure(const State& state, Strike& strike) {
   float closing = 0.0f;
-  float weight = 0.0f;
+  bool isFirst = true;
   for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
     const Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
     const BodyHandle handleA = state.shapes[contact.a].body;
@@ -100,11 +100,11 @@ float measure(const State& state, Strike& strike) {
               middle - a.center, middle - b.center, contact.manifold.normal, 0.0f, 0, rows.point[0]);
       closing = maxOf(closing, maxOf(speed, 0.0f) * rows.point[0].mass);
       strike.mass = maxOf(strike.mass, rows.point[0].mass);
-      if (weight == 0.0f || speed > strike.approachSpeed) {
+      if (isFirst || speed > strike.approachSpeed) {
         strike.approachSpeed = maxOf(speed, 0.0f);
         strike.relativeVelocity = struckIsA ? Vec3(-relative) : relative;
         strike.point = struckIsA ? at : other;
-        weight = 1.0f;
+        isFirst = false;
       }
     }
   }

@@ -15,8 +15,6 @@ namespace brittle::physics {
 
 struct State;
 
-inline constexpr std::uint32_t kNoStrike = 0xffffffff;
-
 /// One body against one breakable body, over all their contacts, in one pass of the solver.
 struct Strike {
   BodyHandle body;                 // the other party of the contacts

@@ -17,7 +17,7 @@ namespace {
 
 // Contact steps from a change to the last contact solved again. Measured: beyond, no test of momentum, energy or exit
 // speed sees it.
-constexpr int kReach = 4;
+constexpr int kContactSteps = 4;
 constexpr int kUnboundedRounds = 1000;  // fractureRounds 0: a guard, far beyond what a tick's way can hold
 
 int maxRounds(const Accuracy& accuracy) {
@@ -43,7 +43,7 @@ void solveAndBreak(State& state, float dt) {
     if (pass == 0)
       reachAll(state, state.reach);
     else
-      reachFrom(state, state.touchedBodies, kReach, state.reach);
+      reachFrom(state, state.touchedBodies, kContactSteps, state.reach);
     limitImpulses(state, dt);
     solve(state, dt, pass == 0);
     ++state.counters.passes;
@@ -57,17 +57,18 @@ void solveAndBreak(State& state, float dt) {
   }
 }
 
+/// One sub-step. The numbers are those of the algorithm in the README.
 void step(State& state, float dt) {
   quarantine(state);
   wakeByJoints(state);
-  integrateVelocities(state, dt);
+  integrateVelocities(state, dt);  // 1
   fadeBudgets(state, dt);
   breakHeld(state);
-  detectCollisions(state, dt);
-  solveAndBreak(state, dt);
+  detectCollisions(state, dt);  // 2
+  solveAndBreak(state, dt);     // 3 to 5
   holdSaturated(state, dt);
   chargeStrikes(state, dt);
-  integratePositions(state, dt);
+  integratePositions(state, dt);  // 6
   state.contactSolver.applyRestitution(state);
   correctPositions(state);
   fractureAfterStep(state);
