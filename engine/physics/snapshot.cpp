@@ -48,7 +48,7 @@ bool World::restore(ByteReader& in) {
   auto restored = std::make_unique<State>();
   RestoreArchive archive(in);
   archiveState(*restored, archive);
-  if (!restored->meshes.restore(in) || !archive.ok()) return false;
+  if (!restored->meshes.restore(in) || !archive.ok() || !isWithinRange(restored->accuracy)) return false;
   restored->shapeBoxes.resize(restored->shapes.capacity());
   restored->bodies.forEach([&](BodyHandle, Body& body) { refreshInertia(body); });
   restored->meshes.markAllDirty();
