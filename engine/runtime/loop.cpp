@@ -12,9 +12,14 @@ Loop::Loop(Platform& platform, Client& client)
 
 bool Loop::frame() {
   handleEvents();
-  for (int due = ticksDue(); due > 0; --due) client_.tick(input_.take());
-  client_.draw(step_.alpha(), platform_.size(), isPaused());
+  int due = ticksDue();
+  timer_.begins(lastSeconds_);
+  for (; due > 0; --due) client_.tick(input_.take());
+  timer_.simulated(platform_.seconds());
+  client_.draw({step_.alpha(), platform_.size(), isPaused(), showsTimes_ ? &timer_.times() : nullptr});
+  timer_.drawn(platform_.seconds());
   platform_.swap();
+  timer_.swapped(platform_.seconds());
   // Where the display does not hold frames back, nothing else would.
   platform_.sleep(kShortestFrame - (platform_.seconds() - lastSeconds_));
   return !quit_ && !client_.isDone();
@@ -44,6 +49,8 @@ void Loop::handleEvents() {
       isAway_ = false;
     } else if (pressed && event.key == Key::Character && event.character == 'p') {
       paused_ = !paused_;
+    } else if (pressed && event.key == Key::F3) {
+      showsTimes_ = !showsTimes_;
     } else if (!isPaused()) {
       input_.add(event);
     } else if (event.kind == EventKind::PointerDown) {

@@ -5,18 +5,26 @@
 #include <vector>
 
 #include "engine/runtime/fixed_step.h"
+#include "engine/runtime/frame_times.h"
 #include "engine/runtime/input_collector.h"
 #include "engine/runtime/platform.h"
 
 namespace brittle::runtime {
+
+/// What a picture shows beside the client's own state.
+struct Shown {
+  float alpha = 1.0f;  // between the last two ticks: 0 is the one before, 1 the last
+  PictureSize size;
+  bool paused = false;
+  const FrameTimes* times = nullptr;  // null unless the user asked for them
+};
 
 /// What the loop runs.
 class Client {
  public:
   virtual ~Client() = default;
   virtual void tick(const replay::InputFrame& input) = 0;
-  /// A picture between the last two ticks: `alpha` 0 is the one before, 1 the last.
-  virtual void draw(float alpha, PictureSize size, bool paused) = 0;
+  virtual void draw(const Shown& shown) = 0;
   /// Tangent of half the angle between the picture's left and right border, now.
   virtual float tanHalfWidth() const = 0;
   /// True ends the loop after this frame.
@@ -40,9 +48,10 @@ class Loop {
   FixedStep step_;
   InputCollector input_;
   std::vector<Event> events_;
+  FrameTimer timer_;
   double lastSeconds_;
   bool paused_ = false, isAway_ = false;
-  bool quit_ = false;
+  bool quit_ = false, showsTimes_ = false;
 };
 
 }  // namespace brittle::runtime

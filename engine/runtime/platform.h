@@ -21,7 +21,7 @@ enum class EventKind : std::uint8_t {
 };
 
 /// The keys the runtime knows; printable ones carry their character in Event::character.
-enum class Key : std::uint8_t { Other, Character, Escape, Enter, Space, Backspace, Left, Right, Up, Down, Back };
+enum class Key : std::uint8_t { Other, Character, Escape, Enter, Space, Backspace, Left, Right, Up, Down, Back, F3 };
 
 /// The mouse's pointer; fingers count from 1, each keeping its number while it touches.
 inline constexpr std::uint32_t kMousePointer = 0;
@@ -54,7 +54,7 @@ class Platform {
   virtual PictureSize size() const = 0;
   /// Appends what happened since the last call, in order. A mouse click that the system made from a touch is left out.
   virtual void pollEvents(std::vector<Event>& events) = 0;
-  /// Shows what was drawn.
+  /// Shows what was drawn; where there is a display, at most once per refresh.
   virtual void swap() = 0;
   /// GL functions of the context, which is current on the calling thread.
   virtual GlLoader glLoader() const = 0;

@@ -10,4 +10,13 @@ namespace brittle::view {
 void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame,
             bool paused = false);
 
+/// What a frame took, as means. [ms]
+struct Timings {
+  float frame = 0.0f, simulate = 0.0f, draw = 0.0f, swap = 0.0f;
+  float longest = 0.0f;  // frame
+};
+
+/// Its parts as a small table in the corner.
+void addTimings(const Timings& timings, render::Frame& frame);
+
 }  // namespace brittle::view

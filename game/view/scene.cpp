@@ -118,7 +118,8 @@ void Scene::addThings() {
     frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, render::kWhite});
 }
 
-const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused) {
+const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused,
+                                  const Timings* timings) {
   interpolate(before_, now_, alpha, seen_);
   const double tick = static_cast<double>(now_.tick) - 1.0 + static_cast<double>(clampTo(alpha, 0.0f, 1.0f));
   frame_.clear();
@@ -135,6 +136,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   addAir(seen_, tick, frame_);
   addParticles(seen_, memory_, tick, frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
+  if (timings != nullptr) addTimings(*timings, frame_);
   return frame_;
 }
 

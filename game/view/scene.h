@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "game/view/hud.h"
 #include "game/view/memory.h"
 #include "game/view/statics.h"
 
@@ -25,8 +26,9 @@ class Scene {
 
   /// The picture `alpha` of the way (0 to 1) between the last two ticks. Depends on the packets of the last
   /// kMemoryTicks ticks, the pools and the arguments only. The frame points into `pools`: draw it before the game goes
-  /// on. `aspect`: width over height.
-  const render::Frame& build(float alpha, float aspect, const MeshPools& pools, bool paused = false);
+  /// on. `aspect`: width over height. `timings`: shown unless null.
+  const render::Frame& build(float alpha, float aspect, const MeshPools& pools, bool paused = false,
+                             const Timings* timings = nullptr);
 
  private:
   void addRooms(const MeshPools& pools);

@@ -20,6 +20,7 @@ Key keyOf(SDL_Keycode code) {
     case SDLK_UP: return Key::Up;
     case SDLK_DOWN: return Key::Down;
     case SDLK_AC_BACK: return Key::Back;
+    case SDLK_F3: return Key::F3;
     default: return code > SDLK_SPACE && code < SDLK_DELETE ? Key::Character : Key::Other;
   }
 }

@@ -2,6 +2,10 @@
 
 #include <SDL.h>
 
+#include <chrono>
+#include <thread>
+
+#include "engine/runtime/pace.h"
 #include "platform/sdl/translate.h"
 
 namespace brittle::platform {
@@ -66,7 +70,10 @@ class Window : public runtime::Platform {
       translator_.translate(event, events);
     }
   }
-  void swap() override { SDL_GL_SwapWindow(window_); }
+  void swap() override {
+    SDL_GL_SwapWindow(window_);
+    if (isPaced_) sleep(pace_.rest(seconds()));  // drivers promise vertical sync that they do not have
+  }
   runtime::GlLoader glLoader() const override { return SDL_GL_GetProcAddress; }
   bool hasDefaultFramebuffer() const override { return true; }
   double seconds() const override {
@@ -74,7 +81,7 @@ class Window : public runtime::Platform {
            static_cast<double>(SDL_GetPerformanceFrequency());
   }
   void sleep(double seconds) override {
-    if (seconds > 0.0) SDL_Delay(static_cast<Uint32>(seconds * 1000.0));
+    if (seconds > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   }
 
  private:
@@ -82,12 +89,17 @@ class Window : public runtime::Platform {
     PictureSize points;
     SDL_GetWindowSize(window_, &points.width, &points.height);
     translator_.setSizes(points, size());
+    SDL_DisplayMode display{};
+    const bool isKnown = SDL_GetCurrentDisplayMode(SDL_GetWindowDisplayIndex(window_), &display) == 0;
+    pace_.setPeriod(1.0 / (isKnown && display.refresh_rate > 0 ? display.refresh_rate : 60));
   }
 
   Session session_;
   SDL_Window* window_ = nullptr;
   SDL_GLContext context_ = nullptr;
   EventTranslator translator_;
+  runtime::Pace pace_;
+  bool isPaced_ = false;
   Uint64 start_ = SDL_GetPerformanceCounter();
 };
 
@@ -111,7 +123,8 @@ Status Window::open(const WindowDef& def) {
   if (window_ == nullptr) return sdlError("no window");
   context_ = SDL_GL_CreateContext(window_);
   if (context_ == nullptr) return sdlError("no GLES 3.0 context (apt-get install libgl1-mesa-dri libegl-mesa0)");
-  SDL_GL_SetSwapInterval(def.verticalSync ? 1 : 0);  // where it is not offered, the loop's own clock keeps the pace
+  SDL_GL_SetSwapInterval(def.verticalSync ? 1 : 0);
+  isPaced_ = def.verticalSync;
   updateSizes();
   return Done{};
 }

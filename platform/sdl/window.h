@@ -14,7 +14,7 @@ struct WindowDef {
   std::string title = "Brittle";
   runtime::PictureSize size = {1280, 720};  // of the window [points]; the picture may have more pixels
   bool fullscreen = false;
-  bool verticalSync = true;                 // where the system offers it
+  bool verticalSync = true;                 // one frame per refresh of the display, by its own clock or by ours
 };
 
 /// Opens a window and makes its context current on the calling thread. One may live at a time. Fails with SDL's words and, where there

@@ -48,7 +48,7 @@ void addPlay(CLI::App& app, Action& action) {
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
   command->add_flag("--mute", options->mute, "without sound");
   command->footer(
-      "Touch or click: throw. P: pause. R: restart. Escape: leave.\n\nExamples:\n"
+      "Touch or click: throw. P: pause. R: restart. F3: frame time. Escape: leave.\n\nExamples:\n"
       "  brittle play\n  brittle play first --seed 7 --record game.brt");
   command->callback([options, &action] { action = [options] { return play(*options); }; });
 }

@@ -1,5 +1,6 @@
 #include "tools/brittle/picture.h"
 
+#include <optional>
 #include <utility>
 
 #include "engine/render/gl.h"
@@ -7,6 +8,15 @@
 #include "game/view/scene.h"
 
 namespace brittle::program {
+namespace {
+
+std::optional<view::Timings> timingsOf(const runtime::FrameTimes* times) {
+  if (times == nullptr) return std::nullopt;
+  const auto ms = [](double seconds) { return static_cast<float>(seconds * 1000.0); };
+  return view::Timings{ms(times->frame), ms(times->simulate), ms(times->draw), ms(times->swap), ms(times->longest)};
+}
+
+}  // namespace
 
 struct Picture::Parts {
   render::Gl gl;
@@ -50,12 +60,15 @@ void Picture::restarted() {
   parts_->scene->reset();
 }
 
-void Picture::draw(sim::Game& game, float alpha, runtime::PictureSize size, bool paused) {
+void Picture::draw(sim::Game& game, const runtime::Shown& shown) {
+  const runtime::PictureSize size = shown.size;
   if (size.width < 1 || size.height < 1) return;  // a window that is minimised
   if (!(size == parts_->size)) parts_->renderer->resize(size.width, size.height);
   parts_->size = size;
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  parts_->renderer->draw(parts_->scene->build(alpha, aspect, {game.meshes(0), game.meshes(1)}, paused));
+  const std::optional<view::Timings> timings = timingsOf(shown.times);
+  parts_->renderer->draw(parts_->scene->build(shown.alpha, aspect, {game.meshes(0), game.meshes(1)}, shown.paused,
+                                              timings ? &*timings : nullptr));
 }
 
 render::Image Picture::readBack() {

@@ -6,7 +6,7 @@
 
 #include "engine/core/result.h"
 #include "engine/render/capture.h"
-#include "engine/runtime/platform.h"
+#include "engine/runtime/loop.h"
 #include "game/sim/game.h"
 
 namespace brittle::program {
@@ -25,8 +25,7 @@ class Picture {
   const sim::FramePacket& packet() const;
   /// Another game follows: forgets everything about the last one.
   void restarted();
-  /// Draws between the last two ticks: 0 the one before, 1 the last.
-  void draw(sim::Game& game, float alpha, runtime::PictureSize size, bool paused = false);
+  void draw(sim::Game& game, const runtime::Shown& shown);
   render::Image readBack();
 
  private:

@@ -49,8 +49,8 @@ class Player : public runtime::Client {
     if (recorder_) recorder_->record(input, *simulation_);
     show();
   }
-  void draw(float alpha, runtime::PictureSize size, bool paused) override {
-    picture_.draw(simulation_->game(), alpha, size, paused);
+  void draw(const runtime::Shown& shown) override {
+    picture_.draw(simulation_->game(), shown);
     ++frames_;
   }
   float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }

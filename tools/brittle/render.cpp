@@ -98,7 +98,7 @@ Status drawFrames(const Job& job, Canvas& canvas, const TakeFrame& take) {
     canvas.picture->ticked(game);
     const std::uint32_t frame = player.tick();
     if (frame >= frames.first && (frame - frames.first) % job.options.every == 0) {
-      canvas.picture->draw(game, 1.0f, {canvas.size.width, canvas.size.height});
+      canvas.picture->draw(game, {.size = {canvas.size.width, canvas.size.height}});
       const Status taken = take(canvas.picture->readBack(), frame);
       if (!taken) return taken;
     }

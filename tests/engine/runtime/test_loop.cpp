@@ -1,5 +1,8 @@
 #include "engine/runtime/loop.h"
 
+#include <cmath>
+#include <optional>
+
 #include <gtest/gtest.h>
 
 namespace brittle::runtime {
@@ -12,7 +15,12 @@ class MadeUpPlatform : public Platform {
     events.insert(events.end(), waiting.begin(), waiting.end());
     waiting.clear();
   }
-  void swap() override { ++swaps; }
+  /// Holds the frame until the display's next refresh, if it has any.
+  void swap() override {
+    ++swaps;
+    now += swapSeconds;
+    if (refresh > 0.0) now = (std::floor(now / refresh + 1e-9) + 1.0) * refresh;
+  }
   GlLoader glLoader() const override { return nullptr; }
   bool hasDefaultFramebuffer() const override { return true; }
   double seconds() const override { return now; }
@@ -22,15 +30,21 @@ class MadeUpPlatform : public Platform {
 
   std::vector<Event> waiting;
   double now = 100.0, slept = 0.0;
+  double refresh = 0.0, swapSeconds = 0.0;  // [s]
   int swaps = 0;
 };
 
 class CountingClient : public Client {
  public:
-  void tick(const replay::InputFrame& input) override { inputs.push_back(input); }
-  void draw(float alpha, PictureSize, bool isPaused) override {
-    alphas.push_back(alpha);
-    pausedWhenDrawn = isPaused;
+  void tick(const replay::InputFrame& input) override {
+    inputs.push_back(input);
+    if (platform != nullptr) platform->now += 0.001;
+  }
+  void draw(const Shown& shown) override {
+    alphas.push_back(shown.alpha);
+    pausedWhenDrawn = shown.paused;
+    timesWhenDrawn = shown.times != nullptr ? std::optional(*shown.times) : std::nullopt;
+    if (platform != nullptr) platform->now += 0.004;
   }
   float tanHalfWidth() const override { return 1.0f; }
   bool isDone() const override { return done; }
@@ -38,6 +52,8 @@ class CountingClient : public Client {
   std::vector<replay::InputFrame> inputs;
   std::vector<float> alphas;
   bool pausedWhenDrawn = false;
+  std::optional<FrameTimes> timesWhenDrawn;
+  MadeUpPlatform* platform = nullptr;  // on which a tick takes 1 ms and a picture 4
   bool done = false;
 };
 
@@ -127,6 +143,42 @@ TEST_F(LoopTest, ComingBackDoesNotEndThePauseOfTheUser) {
   platform.waiting = {key('p')};
   frame();
   EXPECT_FALSE(loop.isPaused());
+}
+
+TEST_F(LoopTest, APictureForEachRefreshAndSixtyTicksASecond) {
+  for (const int rate : {30, 60, 144}) {
+    MadeUpPlatform display;
+    CountingClient seen;
+    display.refresh = 1.0 / rate;
+    Loop onDisplay(display, seen);
+    while (display.now < 102.0 - 1e-6) onDisplay.frame();
+    EXPECT_NEAR(display.swaps, 2 * rate, 1) << rate;
+    EXPECT_EQ(seen.alphas.size(), static_cast<std::size_t>(display.swaps));
+    EXPECT_NEAR(static_cast<double>(seen.inputs.size()), 120.0, 2.0) << rate;
+  }
+}
+
+TEST_F(LoopTest, F3ShowsWhatAFrameTakesAndHidesItAgain) {
+  Event f3 = key(0);
+  f3.key = Key::F3;
+  client.platform = &platform;
+  platform.swapSeconds = 0.008;
+  frame();
+  EXPECT_FALSE(client.timesWhenDrawn);
+  platform.waiting = {f3};
+  // Each frame begins a tick after the last one's end: 13 ms of work.
+  for (int i = 0; i < kAveragedFrames + 1; ++i) {
+    frame();
+    ASSERT_TRUE(client.timesWhenDrawn);
+  }
+  EXPECT_NEAR(client.timesWhenDrawn->frame, kTickSeconds + 0.013, 0.0011) << "some frames have two ticks";
+  EXPECT_NEAR(client.timesWhenDrawn->longest, kTickSeconds + 0.014, 1e-6);
+  EXPECT_NEAR(client.timesWhenDrawn->simulate, 0.0018, 0.0003);
+  EXPECT_NEAR(client.timesWhenDrawn->draw, 0.004, 1e-6);
+  EXPECT_NEAR(client.timesWhenDrawn->swap, 0.008, 1e-6);
+  platform.waiting = {f3};
+  frame();
+  EXPECT_FALSE(client.timesWhenDrawn);
 }
 
 TEST_F(LoopTest, SleepsWhereTheDisplayDoesNotHoldFramesBack) {

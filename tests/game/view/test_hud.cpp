@@ -77,6 +77,17 @@ TEST(Hud, ABarForEachRoomFillsAsTheRoomIsPassed) {
   EXPECT_NEAR(left(quads[3]), left(quads[2]), 1e-6f);
 }
 
+TEST(Hud, ShowsTheFrameTimeAndItsParts) {
+  render::Frame frame;
+  addTimings({.frame = 16.667f, .simulate = 1.25f, .draw = 3.5f, .swap = 11.9f, .longest = 33.3f}, frame);
+  std::vector<std::string> texts;
+  for (const render::HudText& text : frame.texts) texts.push_back(text.text);
+  EXPECT_THAT(texts, ::testing::ElementsAre("frame", "16.67 ms", "longest", "33.30 ms", "simulate", "1.25 ms", "draw",
+                                            "3.50 ms", "swap", "11.90 ms"));
+  EXPECT_FLOAT_EQ(frame.texts[0].at.offset.y(), frame.texts[1].at.offset.y()) << "a name and its number share a line";
+  EXPECT_LT(frame.texts[1].at.offset.y(), frame.texts[2].at.offset.y());
+}
+
 TEST(Hud, HintsUntilTheFirstThrow) {
   const sim::FramePacket packet = playingAt(100);
   EXPECT_THAT(textsOf(packet), Contains("TAP TO THROW"));

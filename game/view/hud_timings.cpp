@@ -1,0 +1,32 @@
+#include <cstdio>
+#include <utility>
+
+#include "game/view/hud.h"
+#include "game/view/hud_parts.h"
+
+namespace brittle::view {
+namespace {
+
+// Layout, chosen by eye. [picture heights]
+constexpr float kLeft = 0.03f, kTop = 0.03f, kLetter = 0.016f, kLine = 0.03f, kNumberRight = 0.19f;
+
+void addCell(float right, int line, render::HudAlign align, std::string text, render::Frame& frame) {
+  const render::HudPoint at{Vec2::Zero(), Vec2(right, kTop + kLine * static_cast<float>(line))};
+  frame.texts.push_back({at, kLetter, align, render::packRgba(hud::kInk, 0.9f), std::move(text)});
+}
+
+}  // namespace
+
+void addTimings(const Timings& timings, render::Frame& frame) {
+  int line = 0;
+  for (const auto& [name, value] :
+       {std::pair("frame", timings.frame), std::pair("longest", timings.longest),
+        std::pair("simulate", timings.simulate), std::pair("draw", timings.draw), std::pair("swap", timings.swap)}) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f ms", static_cast<double>(value));
+    addCell(kLeft, line, render::HudAlign::Left, name, frame);
+    addCell(kLeft + kNumberRight, line++, render::HudAlign::Right, text, frame);
+  }
+}
+
+}  // namespace brittle::view
