@@ -95,10 +95,8 @@ class HashArchive : public Archive<HashArchive> {
  public:
   template <class T>
   void number(T& value) {
-    if constexpr (std::is_same_v<T, float>) {
+    if constexpr (std::is_floating_point_v<T>) {
       hash_.add(value);
-    } else if constexpr (std::is_same_v<T, double>) {
-      hash_.add(__builtin_bit_cast(std::uint64_t, value == 0.0 ? 0.0 : value));
     } else if constexpr (sizeof(T) == 8) {
       hash_.add(static_cast<std::uint64_t>(value));
     } else {

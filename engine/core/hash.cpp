@@ -13,6 +13,12 @@ std::uint32_t canonicalBits(float value) {
   return __builtin_bit_cast(std::uint32_t, value);
 }
 
+std::uint64_t canonicalBits(double value) {
+  if (value == 0.0) return 0;
+  if (value != value) return 0x7ff8000000000000u;
+  return __builtin_bit_cast(std::uint64_t, value);
+}
+
 std::uint64_t StateHash::value() const {
   return count_ == 0 ? state_ : hashBytes(buffer_, sizeof(std::uint32_t) * static_cast<std::size_t>(count_), state_);
 }

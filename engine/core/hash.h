@@ -9,8 +9,9 @@ namespace brittle {
 /// XXH64 of a block of bytes.
 std::uint64_t hashBytes(const void* data, std::size_t size, std::uint64_t seed = 0);
 
-/// The bits of a float with -0 as +0 and every NaN as one.
+/// The bits of a number with -0 as +0 and every NaN as one.
 std::uint32_t canonicalBits(float value);
+std::uint64_t canonicalBits(double value);
 
 /// Accumulates values in the order they are added. Words are hashed little-endian.
 class StateHash {
@@ -19,6 +20,7 @@ class StateHash {
   void add(std::int32_t value) { addWord(static_cast<std::uint32_t>(value)); }
   void add(bool value) { addWord(value ? 1u : 0u); }
   void add(float value) { addWord(canonicalBits(value)); }
+  void add(double value) { add(canonicalBits(value)); }
   void add(std::uint64_t value) {
     addWord(static_cast<std::uint32_t>(value));
     addWord(static_cast<std::uint32_t>(value >> 32));

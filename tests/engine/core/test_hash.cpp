@@ -34,6 +34,14 @@ TEST(Hash, HasOneZeroAndOneNan) {
   EXPECT_NE(hashOf(std::numeric_limits<float>::infinity()), hashOf(std::numeric_limits<float>::quiet_NaN()));
 }
 
+TEST(Hash, TheSameGoesForDouble) {
+  const auto doubleOf = [](std::uint64_t bits) { return __builtin_bit_cast(double, bits); };
+  EXPECT_EQ(hashOf(-0.0), hashOf(0.0));
+  EXPECT_EQ(hashOf(doubleOf(0x7ff8000000000001)), hashOf(doubleOf(0xfff8123456789abc)));
+  EXPECT_NE(hashOf(std::numeric_limits<double>::infinity()), hashOf(std::numeric_limits<double>::quiet_NaN()));
+  for (int i = 0; i < 64; ++i) EXPECT_NE(hashOf(doubleOf(1ull << i)), hashOf(2.5)) << i;
+}
+
 TEST(Hash, EveryBitOfAFloatCounts) {
   const std::uint32_t bits = 0x3f9e3779;
   for (int i = 0; i < 32; ++i) EXPECT_NE(hashOf(floatOf(bits)), hashOf(floatOf(bits ^ (1u << i)))) << i;

@@ -1,4 +1,4 @@
-// What breaks within one round breaks together.
+// What breaks within one round breaks together, and what the older ways of breaking cost.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
@@ -28,6 +28,55 @@ TEST(Breakage, WhatIsStruckAndStrikesBreaksWithWhatItStruck) {
     EXPECT_NEAR((totalsOf(world).momentum - before).norm(), 0.0, 1e-5 * 20.0 * 10.0);  // of one block
     for (int i = 0; i < 10; ++i) world.step(kTick);
   }
+}
+
+struct Shot {
+  std::uint32_t breaks = 0;
+  float exitSpeed = 0.0f;  // [m/s]
+};
+
+/// A ball of 1 kg at 20 m/s against a light pane that takes 1.9 N s.
+Shot shoot(FractureMode mode, float blend, int phase) {
+  WorldDef def;
+  def.gravity = Vec3::Zero();
+  def.accuracy.fractureMode = mode;
+  def.accuracy.impulseCap = mode == FractureMode::InStep;
+  def.accuracy.blend = blend;
+  World world(def);
+  addPane(world, Vec3::Zero(), Vec3(0.3f, 0.3f, 0.002f), 1.9f, 2.0f);
+  const Vec3 start(0.003f, 0.002f, 0.3f + 20.0f / 60.0f * static_cast<float>(phase) / 16.0f);
+  const BodyHandle ball = addBall(world, start, Vec3(0.0f, 0.0f, -20.0f), 0.05f, 1.0f);
+  Shot shot;
+  for (int tick = 0; tick < 10; ++tick) {
+    world.step(kTick);
+    shot.breaks += world.counters().breaks;
+  }
+  shot.exitSpeed = -world.body(ball).velocity.z();
+  return shot;
+}
+
+// What they are kept for: to show that without care for when the glass breaks the phase of the tick decides.
+TEST(Breakage, TheOlderWaysBreakAndCostWhatThePhaseOfTheTickSays) {
+  float slowest = 20.0f;
+  float fastest = 0.0f;
+  for (int phase = 0; phase < 16; ++phase) {
+    const Shot inStep = shoot(FractureMode::InStep, 0.5f, phase);
+    EXPECT_EQ(inStep.breaks, 1u) << "phase " << phase;
+    EXPECT_NEAR(inStep.exitSpeed, 18.1f, 0.02f * 18.1f) << "phase " << phase;
+    const Shot after = shoot(FractureMode::AfterStep, 0.5f, phase);
+    EXPECT_EQ(after.breaks, 1u) << "phase " << phase;
+    slowest = minOf(slowest, after.exitSpeed);
+    fastest = maxOf(fastest, after.exitSpeed);
+    for (const float blend : {0.0f, 0.25f, 0.5f, 1.0f}) {
+      const Shot blended = shoot(FractureMode::AfterStepBlended, blend, phase);
+      EXPECT_EQ(blended.breaks, 1u) << "phase " << phase;
+      const float mixed = 20.0f * blend + after.exitSpeed * (1.0f - blend);
+      EXPECT_LT(blended.exitSpeed, mixed + 0.1f) << "phase " << phase << ", blend " << blend;
+      EXPECT_GT(blended.exitSpeed, mixed - 1.9f) << "phase " << phase << ", blend " << blend;  // what is left may take J
+    }
+  }
+  EXPECT_LT(slowest, 0.1f * 18.1f);
+  EXPECT_GT(fastest - slowest, 0.5f * 18.1f);
 }
 
 }  // namespace
