@@ -143,24 +143,27 @@ struct VisibleStatic {
   Vec3 offset = Vec3::Zero();  // where its origin is now [m]
 };
 
-/// A place on the picture: a fraction of it (0 left and top, 1 right and bottom) plus a distance in picture heights.
+inline constexpr float kHudWidth = 1.2f;  // of the widest sign; a narrower picture shrinks the HUD [HUD heights]
+
+/// A place on the picture: a fraction of it (0 left and top, 1 right and bottom) plus a distance in HUD heights. A HUD
+/// height is the picture's, or less where the picture is narrower than kHudWidth of them.
 struct HudPoint {
   Vec2 anchor = Vec2::Zero();  // [fraction of width, fraction of height]
-  Vec2 offset = Vec2::Zero();  // [picture heights], x right, y down
+  Vec2 offset = Vec2::Zero();  // [HUD heights], x right, y down
 };
 
 /// A filled rectangle centred on `at`.
 struct HudQuad {
   HudPoint at;
-  Vec2 size = Vec2(0.1f, 0.1f);  // [picture heights]
+  Vec2 size = Vec2(0.1f, 0.1f);  // [HUD heights]
   std::uint32_t color = kWhite;
-  float radius = 0.0f;  // of its corners [picture heights]
+  float radius = 0.0f;  // of its corners [HUD heights]
 };
 
 /// A ring or pie about `at`: clockwise from the top.
 struct HudArc {
   HudPoint at;
-  float inner = 0.0f, outer = 0.05f;  // radii [picture heights]
+  float inner = 0.0f, outer = 0.05f;  // radii [HUD heights]
   float from = 0.0f, to = 1.0f;       // [turns]
   std::uint32_t color = kWhite;
 };
@@ -170,7 +173,7 @@ enum class HudAlign : std::uint8_t { Left, Center, Right };
 /// One line of printable ASCII, vertically centred on `at`; other bytes show as a box.
 struct HudText {
   HudPoint at;
-  float height = 0.05f;  // of a capital letter [picture heights]
+  float height = 0.05f;  // of a capital letter [HUD heights]
   HudAlign align = HudAlign::Left;
   std::uint32_t color = kWhite;
   std::string text;

@@ -23,14 +23,20 @@ std::array<float, 4> placeOf(const Vec3& center, float radius) {
   return {center.x(), center.y(), center.z(), radius};
 }
 
-Vec2 pixelsOf(const HudPoint& point, float width, float height) {
-  return {point.anchor.x() * width + point.offset.x() * height, point.anchor.y() * height + point.offset.y() * height};
+/// The picture's size and its HUD height. [px]
+struct Sheet {
+  float width, height;
+  float unit = minOf(height, width / kHudWidth);
+};
+
+Vec2 pixelsOf(const HudPoint& point, const Sheet& sheet) {
+  return point.anchor.cwiseProduct(Vec2(sheet.width, sheet.height)) + sheet.unit * point.offset;
 }
 
-void addText(const HudText& text, float width, float height, std::vector<HudInstance>& out) {
-  const float cap = text.height * height;
+void addText(const HudText& text, const Sheet& sheet, std::vector<HudInstance>& out) {
+  const float cap = text.height * sheet.unit;
   const float unit = cap / kGlyphHeight;
-  Vec2 at = pixelsOf(text.at, width, height);
+  Vec2 at = pixelsOf(text.at, sheet);
   const float spread = text.spacing * cap;
   const float wide = textWidth(text.text) * cap + spread * static_cast<float>(text.text.size() - 1);
   if (text.align == HudAlign::Center) at.x() -= 0.5f * wide;
@@ -99,17 +105,18 @@ void Instances::packDecals(const Frame& frame, const View& view) {
 }
 
 void Instances::packHud(const Frame& frame, float width, float height) {
+  const Sheet sheet{width, height};
   for (const HudQuad& q : frame.quads) {
-    const Vec2 at = pixelsOf(q.at, width, height), half = 0.5f * height * q.size;
-    hud.push_back({{at.x(), at.y(), half.x(), half.y()}, {q.radius * height, 0.0f, kRectangle, 0.0f}, q.color});
+    const Vec2 at = pixelsOf(q.at, sheet), half = 0.5f * sheet.unit * q.size;
+    hud.push_back({{at.x(), at.y(), half.x(), half.y()}, {q.radius * sheet.unit, 0.0f, kRectangle, 0.0f}, q.color});
   }
   for (const HudArc& a : frame.arcs) {
     if (a.to <= a.from) continue;
-    const Vec2 at = pixelsOf(a.at, width, height);
-    hud.push_back({{at.x(), at.y(), a.from, a.to}, {a.outer * height, a.inner * height, kArc, 0.0f}, a.color});
+    const Vec2 at = pixelsOf(a.at, sheet);
+    hud.push_back({{at.x(), at.y(), a.from, a.to}, {a.outer * sheet.unit, a.inner * sheet.unit, kArc, 0.0f}, a.color});
   }
   for (const HudText& text : frame.texts)
-    if (!text.text.empty()) addText(text, width, height, hud);
+    if (!text.text.empty()) addText(text, sheet, hud);
 }
 
 void Instances::pack(const Frame& frame, const View& view, int width, int height, bool withShadows) {

@@ -40,7 +40,7 @@ namespace {
 using namespace hud;
 using render::packRgba;
 
-// Layout, chosen by eye. [picture heights]
+// Layout, chosen by eye. [HUD heights]
 constexpr float kCountHeight = 0.056f;
 constexpr float kRingInner = 0.0790f, kRingOuter = 0.0845f;
 constexpr float kRingGap = 0.012f;  // between two parts of the ring [turns]

@@ -8,7 +8,7 @@ namespace {
 constexpr float kRiseTicks = 16.0f;  // a label stands over its crystal so long
 constexpr float kFlyTicks = 30.0f;   // and then is on its way
 constexpr float kFallTicks = 70.0f;
-constexpr float kGravity = 0.00075f;  // [picture heights/tick2]
+constexpr float kGravity = 0.00075f;  // [HUD heights/tick2]
 constexpr int kMostFalling = 10;
 
 /// Where a point of the room is on the picture; false behind the camera.

@@ -9,7 +9,7 @@ namespace brittle::view::hud {
 
 inline const render::Rgb kInk(1.0f, 1.0f, 1.0f), kWarm(1.0f, 0.84f, 0.45f), kAlarm(1.0f, 0.36f, 0.28f);
 
-inline constexpr float kCountDown = 0.102f;  // the ball count's centre below the top [picture heights]
+inline constexpr float kCountDown = 0.102f;  // the ball count's centre below the top [HUD heights]
 inline constexpr float kBallRadius = 0.0105f;
 
 inline render::HudPoint topCentre(float right, float down) {
@@ -27,7 +27,7 @@ inline float softStep(float from, float to, float value) {
 }
 
 std::string number(const char* format, int value);
-/// A ball as an icon, `radius` in picture heights.
+/// A ball as an icon, `radius` in HUD heights.
 void addBall(const render::HudPoint& at, float radius, float alpha, render::Frame& frame);
 /// A centred line with wide letters.
 void addSign(const render::HudPoint& at, float height, const render::Rgb& color, float alpha, std::string text,

@@ -70,6 +70,19 @@ TEST(Decals, TilesBeyondTheAtlasAreWrapped) {
   EXPECT_EQ(decalCell(-5), 59);
 }
 
+TEST(Instances, ShrinkTheHudWhereThePictureIsNarrow) {
+  Frame frame;
+  frame.quads.push_back({{Vec2(0.5f, 1.0f), Vec2(0.0f, -0.1f)}, Vec2(kHudWidth, 0.1f), kWhite});
+  frame.arcs.push_back({{Vec2(0.5f, 0.0f), Vec2(0.0f, 0.0f)}, 0.1f, 0.2f, 0.0f, 1.0f, kWhite});
+  frame.texts.push_back({{Vec2(0.5f, 0.5f), Vec2::Zero()}, 0.1f, HudAlign::Center, kWhite, "I"});
+  const std::vector<HudInstance> wide = packed(frame, 600, 400).hud, narrow = packed(frame, 240, 400).hud;
+  EXPECT_FLOAT_EQ(wide.at(0).ends[2], 0.5f * kHudWidth * 400.0f);
+  EXPECT_FLOAT_EQ(narrow.at(0).ends[2], 120.0f);  // as wide as the picture
+  EXPECT_FLOAT_EQ(narrow[0].ends[1], 400.0f - 0.1f * 240.0f / kHudWidth);
+  EXPECT_FLOAT_EQ(narrow.at(1).form[0] / wide.at(1).form[0], 240.0f / kHudWidth / 400.0f);
+  EXPECT_FLOAT_EQ(narrow.at(2).ends[2] / wide.at(2).ends[2], 240.0f / kHudWidth / 400.0f);
+}
+
 TEST(Instances, PlaceTheHudByAnchorAndOffset) {
   Frame frame;
   frame.quads.push_back({{Vec2(1.0f, 0.5f), Vec2(-0.1f, 0.2f)}, Vec2(0.1f, 0.2f), kWhite});
