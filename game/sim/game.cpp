@@ -246,7 +246,7 @@ float Game::gravity() const {
   return rules::kGravity * impl_->track->current().gravity();
 }
 const effects::EffectSet& Game::effects() const {
-  return impl_->session.effects;
+  return impl_->track->current().effects();
 }
 
 void Game::look(std::vector<Sight>& sights) const {

@@ -115,7 +115,7 @@ class Game {
   /// The mesh pool of room slot 0 or 1, or null if there is no room in it. The renderer mirrors it and clears its dirty
   /// ranges.
   geometry::MeshPool* meshes(std::uint32_t slot);
-  /// What the rooms alive demand, with who asked.
+  /// What the room the camera is in demands, with who asked.
   const effects::EffectSet& effects() const;
 
  private:

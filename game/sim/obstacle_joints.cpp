@@ -29,7 +29,7 @@ void create(script::Call& call, Obstacle& obstacle, physics::JointDef def, physi
   if (b) def.b = world.body(b).firstShape;
   if (!def.a) return call.fail("a joint needs a body with a shape");
   obstacle.joints.push_back(world.createJoint(def));
-  obstacle.room->session().effects.demand(effects::Effect::Joints, call.where());
+  obstacle.room->demand(effects::Effect::Joints, call.where());
   call.result(static_cast<int>(obstacle.joints.size()));
 }
 

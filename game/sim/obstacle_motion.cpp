@@ -53,7 +53,7 @@ void pull(Obstacle& obstacle, ScriptBody& body, const std::string& who) {
     return;
   }
   drive.handle = world.createDrive(def);
-  obstacle.room->session().effects.demand(effects::Effect::Drives, who);
+  obstacle.room->demand(effects::Effect::Drives, who);
 }
 
 void apply(script::Call& call, Obstacle& obstacle, ScriptBody& body) {

@@ -50,6 +50,12 @@ void strengthen(physics::World& world, ScriptBody& body, physics::Breakable brea
   world.setBreakable(body.handle, breakable);
 }
 
+/// What breaks leaves pieces too small to be bodies.
+void demandBreaking(Room& room, const std::string& who) {
+  room.demand(effects::Effect::Fracture, who);
+  room.demand(effects::Effect::Debris, who);
+}
+
 void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, int firstPlaceArgument) {
   ScriptBody* body = readBody(call, obstacle, 1);
   const Vec3 offset = readVector(call, firstPlaceArgument, rules::kFarthest, Vec3::Zero());
@@ -77,6 +83,7 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   shape.handle = world.addConvex(body->handle, def, convex);
   shape.body = static_cast<std::uint32_t>(body - obstacle.bodies.data()) + 1;
   body->volume += world.shape(shape.handle).massProperties.volume;
+  if (breakable.strength > 0.0f && body->strength <= 0.0f) demandBreaking(*obstacle.room, call.where());
   strengthen(world, *body, breakable);
   obstacle.shapes.push_back(shape);
   call.result(static_cast<int>(obstacle.shapes.size()));

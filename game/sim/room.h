@@ -49,11 +49,13 @@ class Room {
   bool canPass(const Obstacle& obstacle) const;
   void clearObstacle(Obstacle& obstacle);
   void emit(Event event);
+  void demand(effects::Effect effect, std::string who) { plan_.effects.demand(effect, std::move(who)); }
   void shakeCamera(float strength) { shake_ = maxOf(shake_, strength); }
 
   // Looking.
   const RoomSettings& settings() const { return plan_.settings; }
   const RoomEntry& entry() const { return entry_; }
+  const effects::EffectSet& effects() const { return plan_.effects; }
   std::uint64_t number() const { return number_; }
   std::uint32_t slot() const { return slot_; }
   float shake() const { return shake_; }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/effects/effect_set.h"
 #include "engine/math/types.h"
 #include "game/sim/frame_packet.h"
 #include "game/sim/obstacle.h"
@@ -44,6 +45,7 @@ struct RoomPlan {
   RoomSettings settings;
   std::vector<PlannedSegment> segments;
   std::deque<ObstacleDef> obstacles;  // addresses stay
+  effects::EffectSet effects;         // what its script demands
 };
 
 /// One room of a level as its file names it; `attributes` are readable from the script.

@@ -176,14 +176,14 @@ void setEcho(script::Call& call, Builder& builder) {
     values[i] = limited(call, builder, static_cast<int>(i) + 1, ranges[i]);
   if (call.failed()) return;
   for (std::size_t i = 0; i < std::size(ranges); ++i) (builder.plan.settings.*field)[i] = values[i];
-  if (values[0] > 0.0f) builder.session.effects.demand(effect, call.where());
+  if (values[0] > 0.0f) builder.plan.effects.demand(effect, call.where());
 }
 
 void setLowPass(script::Call& call, Builder& builder) {
   const float amount = limited(call, builder, 1, kLowPass);
   if (call.failed()) return;
   builder.plan.settings.lowPass = amount;
-  if (amount > 0.0f) builder.session.effects.demand(effects::Effect::LowPass, call.where());
+  if (amount > 0.0f) builder.plan.effects.demand(effects::Effect::LowPass, call.where());
 }
 
 template <float RoomSettings::*field>
@@ -202,7 +202,7 @@ void setMusic(script::Call& call, Builder& builder) {
   const std::string name = call.string(1);
   if (call.failed()) return;
   builder.plan.settings.music = name;
-  if (!name.empty() && name != "silent") builder.session.effects.demand(effects::Effect::Music, call.where());
+  if (!name.empty() && name != "silent") builder.plan.effects.demand(effects::Effect::Music, call.where());
 }
 
 void rotation(script::Call& call, Builder& builder) {
@@ -355,7 +355,7 @@ RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
   RoomSettings& settings = builder.plan.settings;
   settings.gravity = clampTo(settings.gravity, -10.0f, 10.0f);
   if (settings.length == 0.0f) settings.length = builder.placed > 8.0f ? builder.placed : rules::kDefaultRoomLength;
-  session.effects.demand(effects::Effect::Fog, path);
+  builder.plan.effects.demand(effects::Effect::Fog, path);
   return std::move(builder.plan);
 }
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/effect_set.h"
 #include "game/sim/constants.h"
 #include "game/sim/content_reader.h"
 #include "game/sim/event.h"
@@ -36,7 +35,6 @@ struct Session {
   std::vector<Event> events;      // of this tick
   std::vector<Problem> problems;  // each text once
   std::set<std::string> reported, missing;
-  effects::EffectSet effects;
   std::vector<std::string> soundNames;
   std::map<std::string, std::string> globals;  // of mgGet and mgSet
 
