@@ -42,7 +42,7 @@ void addPlay(CLI::App& app, Action& action) {
   auto options = std::make_shared<PlayOptions>();
   CLI::App* command = app.add_subcommand("play", "play a level in a window");
   addGame(*command, options->game);
-  command->add_option("--record", options->record, "write the game as a replay")->type_name("FILE");
+  command->add_option("--record", options->record, "write the game as a replay; of several in a row the last")->type_name("FILE");
   command->add_option("--frames", options->frames, "end after so many frames (default: when the window is closed)")
       ->type_name("N");
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
