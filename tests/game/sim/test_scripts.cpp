@@ -158,24 +158,30 @@ function tick()
   if body ~= 0 then mgSetAngVel(body, 0, 3, 0) end
 end)");
   const auto game = newTestGame(source);
-  game->tick(throwAt(0.0f, -0.15f));
-  play(*game, 32);
+  game->tick(throwAt(0.04f, -0.17f));
+  play(*game, 20);
   EXPECT_TRUE(game->problems().empty()) << game->problems().front().text;
   EXPECT_GE(game->totalBreaks(), 1u);
+  // What it knocks against turns it aside for a tick; what broke off never turns like that.
+  int most = 0;
   FramePacket a, b;
-  game->copyFrame(a);
-  game->tick({});
-  game->copyFrame(b);
-  int turning = 0;
-  for (std::size_t i = 0; i < a.rooms[0].bodies.size(); ++i) {
-    const BodyPose& before = a.rooms[0].bodies[i];
-    const BodyPose& after = b.rooms[0].bodies[i];
-    if (before.generation == 0 || before.generation != after.generation) continue;
-    // 3 rad/s about Y and nothing else: half the angle of a tick.
-    const Vec3 turned = (after.pose.rotation * before.pose.rotation.conjugate()).vec();
-    turning += (turned - Vec3(0.0f, 0.025f, 0.0f)).norm() < 0.001f ? 1 : 0;
+  for (int tick = 0; tick < 60; ++tick) {
+    game->copyFrame(a);
+    game->tick({});
+    game->copyFrame(b);
+    int turning = 0;
+    for (std::size_t i = 0; i < a.rooms[0].bodies.size(); ++i) {
+      const BodyPose& before = a.rooms[0].bodies[i];
+      const BodyPose& after = b.rooms[0].bodies[i];
+      if (before.generation == 0 || before.generation != after.generation) continue;
+      // 3 rad/s about Y and nothing else: half the angle of a tick.
+      const Vec3 turned = (after.pose.rotation * before.pose.rotation.conjugate()).vec();
+      turning += (turned - Vec3(0.0f, 0.025f, 0.0f)).norm() < 0.001f ? 1 : 0;
+    }
+    EXPECT_LE(turning, 1) << "tick " << tick;
+    most = maxOf(most, turning);
   }
-  EXPECT_EQ(turning, 1);
+  EXPECT_EQ(most, 1);
 }
 
 TEST(Scripts, BeatsCountFromTheRoomsDoor) {
