@@ -147,7 +147,9 @@ void seedContacts(State& state, const Fracture& result, const Swap& swap) {
     if (shapeA.body == shapeB.body || !mayCollide(shapeA.surface, shapeB.surface)) continue;
     if (!bodyA.isDynamic() && !state.bodyOf(shapeB).isDynamic()) continue;
     if (findContact(state, a, b)) continue;
-    Contact& contact = state.contacts[addContact(state, a, b)];
+    const ContactHandle handle = addContact(state, a, b);
+    if (!handle) return;
+    Contact& contact = state.contacts[handle];
     contact.fromCut = true;
     Manifold& manifold = contact.manifold;
     manifold.normal = bodyA.pose.rotate(contact.a == a ? pair.normal : Vec3(-pair.normal));

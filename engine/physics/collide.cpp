@@ -83,9 +83,8 @@ void findPairs(State& state) {
     state.tree.query(state.tree.box(shape.proxy), [&](std::uint32_t slot) {
       ++state.counters.pairsTested;
       const bool isKnown = slot == handle.index || state.knownPairOf[slot] == handle;
-      if (!isKnown && mayTouch(state, shape, state.shapes.at(slot)))
-        addContact(state, handle, state.shapes.handleAt(slot));
-      return true;
+      if (isKnown || !mayTouch(state, shape, state.shapes.at(slot))) return true;
+      return static_cast<bool>(addContact(state, handle, state.shapes.handleAt(slot)));  // full: no use to look on
     });
   }
   state.movedShapes.clear();

@@ -34,6 +34,10 @@ void unlink(State& state, std::uint32_t slot, std::uint32_t side, ShapeHandle ha
 }  // namespace
 
 ContactHandle addContact(State& state, ShapeHandle a, ShapeHandle b) {
+  if (state.contacts.size() >= kMaxContacts) {
+    ++state.counters.totalRefusedContacts;
+    return {};
+  }
   if (b.index < a.index) std::swap(a, b);
   const Surface& surfaceA = state.shapes[a].surface;
   const Surface& surfaceB = state.shapes[b].surface;

@@ -6,7 +6,8 @@
 
 namespace brittle::physics {
 
-/// A new contact of two shapes of different bodies; `a` becomes the one with the lower slot.
+/// A new contact of two shapes of different bodies; `a` becomes the one with the lower slot. Null, and counted, if the
+/// world holds kMaxContacts.
 ContactHandle addContact(State& state, ShapeHandle a, ShapeHandle b);
 void removeContact(State& state, ContactHandle contact);
 /// The contact of two shapes, or null. Walks the shorter list.

@@ -45,6 +45,7 @@ struct Counters {
   std::uint32_t swept = 0;                 // fast bodies swept
   std::uint32_t sweeps = 0, confined = 0;  // ways searched for their first obstacle; bodies set back from one
   std::uint64_t totalBreaks = 0, totalHeld = 0, totalRefusedCuts = 0;  // since the start
+  std::uint64_t totalRefusedContacts = 0;  // too: searches for pairs that ended at kMaxContacts
 };
 
 }  // namespace brittle::physics

@@ -88,6 +88,7 @@ void beginTick(State& state) {
   state.counters.totalBreaks = old.totalBreaks;
   state.counters.totalHeld = old.totalHeld;
   state.counters.totalRefusedCuts = old.totalRefusedCuts;
+  state.counters.totalRefusedContacts = old.totalRefusedContacts;
 }
 
 void countWhatIsThere(State& state) {
