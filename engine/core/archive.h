@@ -59,7 +59,7 @@ class SaveArchive : public Archive<SaveArchive> {
     out_.write(value);
   }
   template <class T>
-  void resize(std::vector<T>& values) {
+  void resize(std::vector<T>& values, std::size_t = 1) {
     out_.write(static_cast<std::uint32_t>(values.size()));
   }
 
@@ -74,11 +74,11 @@ class RestoreArchive : public Archive<RestoreArchive> {
   void number(T& value) {
     value = in_.template read<T>();
   }
-  /// A size that the remaining bytes cannot hold makes the reader bad and the vector empty.
+  /// A size that the remaining bytes cannot hold, at `least` bytes for each, makes the reader bad and the vector empty.
   template <class T>
-  void resize(std::vector<T>& values) {
+  void resize(std::vector<T>& values, std::size_t least = 1) {
     const auto size = in_.read<std::uint32_t>();
-    if (size > in_.remaining()) {
+    if (size > in_.remaining() / least) {
       in_.fail();
       values.clear();
       return;
@@ -104,7 +104,7 @@ class HashArchive : public Archive<HashArchive> {
     }
   }
   template <class T>
-  void resize(std::vector<T>& values) {
+  void resize(std::vector<T>& values, std::size_t = 1) {
     hash_.add(static_cast<std::uint32_t>(values.size()));
   }
   std::uint64_t value() const { return hash_.value(); }

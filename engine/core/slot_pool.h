@@ -89,10 +89,22 @@ class SlotPool {
   }
 
   /// Slots, generations and the order of reuse: what a snapshot must hold.
+  /// What damaged bytes could break: the free slots are the empty ones, each once; no handle to a slot is null.
+  bool isConsistent() const {
+    for (const Slot& slot : slots_)
+      if (slot.generation == 0) return false;
+    std::vector<bool> isFree(slots_.size(), false);
+    for (const std::uint32_t index : free_) {
+      if (index >= slots_.size() || slots_[index].alive || isFree[index]) return false;
+      isFree[index] = true;
+    }
+    return alive_ + free_.size() == slots_.size();
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
     archive.vector(free_);
-    archive.resize(slots_);
+    archive.resize(slots_, sizeof(Slot::generation) + sizeof(Slot::alive));
     for (Slot& slot : slots_) {
       archive(slot.generation);
       archive(slot.alive);

@@ -210,7 +210,9 @@ const char* DynamicTree::findNodeError(std::uint32_t index) const {
 
 const char* DynamicTree::findError() const {
   std::size_t inUse = 0, leaves = 0, free = 0;
-  if (root_ != kNull && (root_ >= nodes_.size() || nodes_[root_].parent != kNull)) return "the root is not a root";
+  if ((root_ == kNull) != (leafCount_ == 0)) return "leaves without a root, or a root without leaves";
+  if (root_ != kNull && (root_ >= nodes_.size() || nodes_[root_].parent != kNull || nodes_[root_].height < 0))
+    return "the root is not a root";
   for (std::uint32_t index = 0; index < nodes_.size(); ++index) {
     if (nodes_[index].height < 0) continue;
     ++inUse;

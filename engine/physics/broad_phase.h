@@ -33,6 +33,7 @@ class DynamicTree {
 
   /// Moves every box by the same offset [m].
   void shift(const Vec3& offset);
+  bool isLeaf(std::uint32_t proxy) const { return proxy < nodes_.size() && nodes_[proxy].height == 0; }
   std::uint32_t leafCount() const { return leafCount_; }
   /// Steps from the root to the deepest leaf: at most 1.82 log2(leaves) + 1, whatever the boxes.
   int height() const { return root_ == kNull ? 0 : nodes_[root_].height; }

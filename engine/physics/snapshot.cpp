@@ -1,6 +1,7 @@
 // Saving, restoring and hashing a world, all three by one description, so that they cannot cover different things. The hash takes the
 // hash of each mesh in place of its vertices and leaves out the buffers they lie in.
 #include "engine/physics/edit.h"
+#include "engine/physics/state_error.h"
 #include "engine/physics/world.h"
 
 namespace brittle::physics {
@@ -48,7 +49,7 @@ bool World::restore(ByteReader& in) {
   auto restored = std::make_unique<State>();
   RestoreArchive archive(in);
   archiveState(*restored, archive);
-  if (!restored->meshes.restore(in) || !archive.ok() || !isWithinRange(restored->accuracy)) return false;
+  if (!restored->meshes.restore(in) || !archive.ok() || findError(*restored) != nullptr) return false;
   restored->shapeBoxes.resize(restored->shapes.capacity());
   restored->bodies.forEach([&](BodyHandle, Body& body) { refreshInertia(body); });
   restored->meshes.markAllDirty();

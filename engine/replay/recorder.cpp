@@ -20,6 +20,7 @@ void Recorder::record(const InputFrame& input, const Simulation& simulation) {
   if (replay_.ticks() % snapshotInterval_ != 0) return;
   ByteWriter out;
   simulation.save(out);
+  if (out.bytes().size() > kLongestSnapshot) return;
   replay_.snapshots.push_back({replay_.ticks(), static_cast<std::uint32_t>(out.bytes().size()), compress(out.bytes())});
 }
 

@@ -15,6 +15,10 @@ namespace brittle::replay {
 /// Four hours: a longer game is recorded no further, a longer file is refused [ticks].
 inline constexpr std::uint32_t kMaxTicks = 4 * 60 * 60 * 60;
 
+/// A longer snapshot is not recorded, and refused in a file [bytes]. Chosen: eleven times the largest of the shipped
+/// replays, 1.5 MB. A forged one can ask for 150 times its length in memory: an empty slot is 5 bytes in it.
+inline constexpr std::size_t kLongestSnapshot = std::size_t{16} << 20;
+
 /// What a game needs to start again in the same state.
 struct Start {
   std::uint32_t simulationVersion = 0;  // raised by every change that changes results

@@ -24,8 +24,7 @@ namespace {
 constexpr unsigned char kMagic[8] = {'B', 'R', 'I', 'T', 'T', 'L', 'E', 0x1a};
 constexpr std::size_t kHeaderSize = 8 + 4 + 4 + 8;
 constexpr std::size_t kChecksumSize = 8;
-constexpr std::size_t kLongestFile = 2u << 30;        // [bytes]; chosen: four hours in crowded rooms take a tenth
-constexpr std::uint32_t kLongestSnapshot = 1u << 30;  // [bytes]; chosen: a thousand times what a crowded room takes
+constexpr std::size_t kLongestFile = 2u << 30;  // [bytes]; chosen: four hours in crowded rooms take a tenth
 
 struct Packed {
   std::uint32_t size = 0;  // before compression

@@ -181,7 +181,7 @@ bool Game::restore(ByteReader& in) {
     const std::string key = in.readString();
     globals[key] = in.readString();
   }
-  if (!in.ok() || !impl_->track->restore(in)) return false;
+  if (!in.ok() || impl_->stage.phase > Phase::GameOver || !impl_->track->restore(in)) return false;
   session.globals = globals;  // rooms made anew have run their scripts: what those set is in here already
   session.events.clear();
   impl_->refreshHud();

@@ -35,6 +35,13 @@ void Pace::tick() {
   step_ = place() - before;
 }
 
+bool Pace::isValid() const {
+  constexpr std::int64_t shortest = std::int64_t{8} << 16, longest = std::int64_t{4000} << 16;
+  constexpr std::int64_t farthest = longest * rules::kRoomTicks * 2;
+  return length_ >= shortest && length_ <= longest && glide_ >= shortest && glide_ <= longest && step_ >= -farthest &&
+         step_ <= farthest && ticks_ >= 0 && ticks_ <= 2 * rules::kRoomTicks;
+}
+
 bool Pace::atDoor() const {
   return ticks_ >= rules::kRoomTicks;
 }

@@ -25,6 +25,8 @@ class Pace {
   /// Ticks since the room was entered: the clock that music and beats follow.
   std::int32_t ticks() const { return ticks_; }
   bool atDoor() const;
+  /// Whether all of it is what ticking can lead to, within a margin: what bytes from a file must hold.
+  bool isValid() const;
   /// Whether the room after this one is to be made.
   bool nextRoomDue() const;
   std::int64_t lengthUnits() const { return length_ >> 8; }  // [2^-8 m]

@@ -115,6 +115,7 @@ class Room {
   Obstacle* obstacleOf(std::uint32_t userData);
   template <class Archive>
   void serialize(Archive& a);
+  bool isConsistent() const;
 
   Session& session_;
   const RoomEntry entry_;

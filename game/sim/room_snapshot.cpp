@@ -45,7 +45,21 @@ bool Room::restore(ByteReader& in) {
   serialize(archive);
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_)
     if (!in.ok() || !obstacle->restoreScript(in)) return false;
-  return world_->restore(in) && in.ok();
+  return world_->restore(in) && in.ok() && isConsistent();
+}
+
+/// What damaged bytes could break beside the world: what is reached without asking whether it is there.
+bool Room::isConsistent() const {
+  for (const Ball& ball : balls_)
+    if (!world_->isAlive(ball.body)) return false;
+  for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
+    const std::size_t bodies = obstacle->bodies.size();
+    for (const ScriptShape& shape : obstacle->shapes)
+      if (shape.body == 0 || shape.body > bodies) return false;
+    for (const ScriptButton& button : obstacle->buttons)
+      if (button.body == 0 || button.body > bodies) return false;
+  }
+  return true;
 }
 
 void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace brittle::sim {
+namespace {
+
+constexpr std::int64_t kFarthest = std::int64_t{1} << 48;  // a snapshot's origin may lie here [2^-8 m]
+
+}  // namespace
 
 Track::Track(Session& session, std::vector<RoomEntry> entries, std::uint32_t firstRoom, std::int64_t startOffset)
     : session_(session), entries_(std::move(entries)), firstRoom_(firstRoom), origin_(startOffset) {
@@ -169,7 +174,7 @@ bool Track::restore(ByteReader& in) {
   done_ = in.read<bool>();
   isMoving_ = in.read<bool>();
   const bool hasNext = in.read<bool>();
-  if (!in.ok()) return false;
+  if (!in.ok() || !pace_.isValid() || origin_ < -kFarthest || origin_ > kFarthest) return false;
   std::unique_ptr<Room> current = restoreRoom(in, number_);
   if (!current) return false;
   current_ = std::move(current);
