@@ -238,6 +238,15 @@ NullGl::NullGl() {
 
 NullGl::~NullGl() { current = nullptr; }
 
+void* NullGl::find(const char* name) {
+  BR_ASSERT(current != nullptr);
+#define BR_GL_FIND(function, type) \
+  if (std::strcmp(name, "gl" #function) == 0) return reinterpret_cast<void*>(current->table_.function);
+  BR_GL_FUNCTIONS(BR_GL_FIND)
+#undef BR_GL_FIND
+  return nullptr;
+}
+
 GLuint& NullGl::bufferAt(GLenum target) {
   // The index buffer belongs to the vertex array, as in GL.
   return target == GL_ELEMENT_ARRAY_BUFFER ? arrays_[array_].indexBuffer : boundBuffers_[target];

@@ -29,6 +29,9 @@ class NullGl {
   /// The table to give to a renderer.
   Gl& table() { return table_; }
 
+  /// A function of the one in use by its whole name, "glClear"; null if there is none. As a GlLoader.
+  static void* find(const char* name);
+
   const std::vector<Draw>& draws() const { return draws_; }
   /// One sentence per misuse, in order.
   const std::vector<std::string>& complaints() const { return complaints_; }

@@ -1,4 +1,4 @@
-// platform/headless/context.h - the two kinds of off-screen GL context behind one small interface; see headless.h for their use.
+// platform/headless/context.h - the kinds of off-screen GL context behind one small interface; see headless.h for their use.
 #pragma once
 
 #include <memory>
@@ -17,5 +17,6 @@ class Context {
 
 Result<std::unique_ptr<Context>> createEglContext();
 Result<std::unique_ptr<Context>> createOsMesaContext();
+std::unique_ptr<Context> createNullContext();
 
 }  // namespace brittle::platform

@@ -37,17 +37,32 @@ class HeadlessPlatform : public Headless {
   Clock::time_point start_ = Clock::now();
 };
 
+Result<std::unique_ptr<Context>> createContext(HeadlessBackend backend) {
+  switch (backend) {
+    case HeadlessBackend::Egl: return createEglContext();
+    case HeadlessBackend::OsMesa: return createOsMesaContext();
+    case HeadlessBackend::Null: break;
+  }
+  return createNullContext();
+}
+
 }  // namespace
 
-const char* nameOf(HeadlessBackend backend) { return backend == HeadlessBackend::Egl ? "egl" : "osmesa"; }
+const char* nameOf(HeadlessBackend backend) {
+  switch (backend) {
+    case HeadlessBackend::Egl: return "egl";
+    case HeadlessBackend::OsMesa: return "osmesa";
+    case HeadlessBackend::Null: return "null";
+  }
+  return "";
+}
 
 Result<std::unique_ptr<Headless>> createHeadless(HeadlessBackend backend, runtime::PictureSize size) {
   if (size.width <= 0 || size.height <= 0) {
     return Error{"picture size " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                  ": both must be at least 1 pixel"};
   }
-  Result<std::unique_ptr<Context>> context =
-      backend == HeadlessBackend::Egl ? createEglContext() : createOsMesaContext();
+  Result<std::unique_ptr<Context>> context = createContext(backend);
   if (!context) return context.error();
   return std::unique_ptr<Headless>(new HeadlessPlatform(std::move(*context), size));
 }

@@ -1,5 +1,6 @@
 // platform/headless/headless.h - a platform without display, window or user: a GL context to draw into textures, real time, and no
-// events but those a test sends. EGL surfaceless is the main path; OSMesa works where no EGL device can be opened.
+// events but those a test sends. EGL surfaceless is the main path; OSMesa works where no EGL device can be opened; null takes every GL
+// call, draws nothing and needs no driver (pictures stay black).
 // The libraries are opened at run time, so one that is missing is a message and not a program that cannot start.
 #pragma once
 
@@ -10,9 +11,9 @@
 
 namespace brittle::platform {
 
-enum class HeadlessBackend { Egl, OsMesa };
+enum class HeadlessBackend { Egl, OsMesa, Null };
 
-/// "egl" or "osmesa".
+/// "egl", "osmesa" or "null".
 const char* nameOf(HeadlessBackend backend);
 
 class Headless : public runtime::Platform {

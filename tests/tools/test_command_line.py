@@ -68,7 +68,7 @@ class CommandLine(unittest.TestCase):
         for frames in ["x", "..", "1..", "-1..5", "1..2..3"]:
             self.render(f"--frames={frames}", says="expected FIRST..LAST")
         self.render("--frames", "100..9999", says="the replay has frames 0..150")
-        self.render("--backend", "vulkan", says="expected egl or osmesa")
+        self.render("--backend", "vulkan", says="expected egl, osmesa or null")
         self.render("--every", "0", says="--every")
         self.render("--samples", "3", says="--samples")
         for seed in ["-1", "1.5", "x", "18446744073709551616"]:
@@ -216,6 +216,16 @@ class CommandLine(unittest.TestCase):
             result = brittle("play", "--frames", "5", "--size", "160x90", *arguments, env=environment)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(result.stderr.count("no sound: "), lines, result.stderr)
+
+    def test_the_null_backend_runs_without_gl_and_draws_nothing(self):
+        environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=str(self.folder / "nowhere"))
+        out = self.folder / "null"
+        result = brittle("render", self.replay, "--out", out, "--size", "64x36", "--backend", "null", "--every", "50", env=environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([line for line in result.stderr.splitlines() if not line.endswith("%")], [])  # no misuse of GL
+        pictures = [path.read_bytes() for path in sorted(out.iterdir())]
+        self.assertEqual(len(pictures), 4)
+        self.assertEqual(set(pictures), {pictures[0]})
 
     def test_without_gl_it_says_what_is_missing(self):
         environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=str(self.folder / "nowhere"))

@@ -72,7 +72,7 @@ void addRender(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1u, 1000000u));
-  command->add_option("--backend", options->backend, "egl or osmesa")->capture_default_str();
+  command->add_option("--backend", options->backend, "egl, osmesa, or null: every step but the drawing, without a GPU")->capture_default_str();
   command->add_option("--samples", options->samples, "multisampling: 0 or 4")
       ->capture_default_str()
       ->check(CLI::IsMember({0, 4}));

@@ -18,9 +18,10 @@ namespace brittle::program {
 namespace {
 
 Result<platform::HeadlessBackend> backendOf(const std::string& name) {
-  for (const auto backend : {platform::HeadlessBackend::Egl, platform::HeadlessBackend::OsMesa})
+  for (const auto backend :
+       {platform::HeadlessBackend::Egl, platform::HeadlessBackend::OsMesa, platform::HeadlessBackend::Null})
     if (name == platform::nameOf(backend)) return backend;
-  return Error{"--backend " + name + ": expected egl or osmesa"};
+  return Error{"--backend " + name + ": expected egl, osmesa or null"};
 }
 
 /// Frame 0 is the start, frame N the state after N ticks.

@@ -48,6 +48,15 @@ TEST_P(BothBackends, GivesTheEventsThatWereSent) {
   EXPECT_EQ(events.size(), 2u);
 }
 
+TEST(Headless, NullTakesEveryCallWithoutADriver) {
+  const auto device = createHeadless(HeadlessBackend::Null, {640, 360});
+  ASSERT_TRUE(device) << device.error().message;
+  const Result<render::Gl> gl = render::loadGl((*device)->glLoader());
+  ASSERT_TRUE(gl) << gl.error().message;
+  EXPECT_NE(gl->description.find("null"), std::string::npos) << gl->description;
+  EXPECT_EQ((*device)->glLoader()("glNoSuchCall"), nullptr);
+}
+
 TEST(Headless, RefusesAnEmptyPicture) {
   const auto device = createHeadless(HeadlessBackend::Egl, {0, 360});
   ASSERT_FALSE(device);
