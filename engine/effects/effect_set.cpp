@@ -14,6 +14,16 @@ const char* nameOf(Effect effect) {
       return "debris";
     case Effect::Fog:
       return "fog";
+    case Effect::Bloom:
+      return "bloom";
+    case Effect::Mirror:
+      return "mirror";
+    case Effect::Shadows:
+      return "shadows";
+    case Effect::Decals:
+      return "decals";
+    case Effect::Particles:
+      return "particles";
     case Effect::Reverb:
       return "reverb";
     case Effect::Echo:

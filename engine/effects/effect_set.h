@@ -10,7 +10,25 @@
 namespace brittle::effects {
 
 /// Anything that costs time or memory and that a scene can do without.
-enum class Effect : std::uint8_t { Fracture, Joints, Drives, Debris, Fog, Reverb, Echo, LowPass, Music, Count };
+enum class Effect : std::uint8_t {
+  Fracture,
+  Joints,
+  Drives,
+  Debris,
+  // Only seen:
+  Fog,
+  Bloom,      // lamps shine beyond their outline
+  Mirror,     // polished floors show the room
+  Shadows,    // soft ones under things
+  Decals,     // pictures on surfaces
+  Particles,  // what floats in a room's air
+  // Only heard:
+  Reverb,
+  Echo,
+  LowPass,
+  Music,
+  Count
+};
 
 const char* nameOf(Effect effect);
 

@@ -83,6 +83,26 @@ void laser(script::Call& call, Obstacle& obstacle) {
   obstacle.beams.push_back({start, end});
 }
 
+/// Something that is only seen, at the point that the first three arguments say.
+void show(script::Call& call, Obstacle& obstacle, EventType type, const Vec3& direction) {
+  const Vec3 point = readVector(call, 1, rules::kFarthest);
+  if (call.failed()) return;
+  Event event;
+  event.type = type;
+  event.point = obstacle.pose().toWorld(point);
+  event.direction = obstacle.pose().rotate(direction);
+  obstacle.room->emit(event);
+}
+
+void smoke(script::Call& call, Obstacle& obstacle) {
+  constexpr float fastest = 20.0f;  // [m/s]
+  show(call, obstacle, EventType::Smoke, readVector(call, 4, fastest, Vec3::Zero()));
+}
+
+void glow(script::Call& call, Obstacle& obstacle) {
+  show(call, obstacle, EventType::Glow, Vec3::Zero());
+}
+
 void getBeat(script::Call& call, Obstacle& obstacle) {
   const float ease = clampTo(call.real(1, 0.3f), 0.01f, 1.0f);
   if (call.failed()) return;
@@ -189,12 +209,13 @@ void addPlayCalls(script::Library& library) {
   addCall(library, "mgIsButtonDown", isButtonDown);
   addCall(library, "mgSetButtonDown", setButtonDown);
   addCall(library, "mgLaser", laser);
+  addCall(library, "mgSmoke", smoke);
+  addCall(library, "mgGlow", glow);
   addSoundCalls(library);
   addParameterCalls(library);
   addTimeCalls(library);
   // Only seen or heard, and not shown yet: accepted so that the levels that use them play.
-  for (const char* name :
-       {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgGlow", "mgSmoke", "mgBodyDecal"})
+  for (const char* name : {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgBodyDecal"})
     addCall(library, name, [](script::Call&, Obstacle&) {});
 }
 

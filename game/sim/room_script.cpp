@@ -192,10 +192,11 @@ void setValue(script::Call& call, Builder& builder) {
   if (!call.failed()) builder.plan.settings.*field = value;
 }
 
-template <std::string RoomSettings::*field>
-void setName(script::Call& call, Builder& builder) {
-  const std::string value = call.string(1);
-  if (!call.failed()) builder.plan.settings.*field = value;
+void setParticles(script::Call& call, Builder& builder) {
+  const std::string name = call.string(1);
+  if (call.failed()) return;
+  builder.plan.settings.particles = name;
+  if (!name.empty()) builder.plan.effects.demand(effects::Effect::Particles, call.where());
 }
 
 void setMusic(script::Call& call, Builder& builder) {
@@ -317,7 +318,7 @@ void addMoodCalls(script::Library& library) {
   add(library, "mgEcho", setEcho<&RoomSettings::echo, kEcho, effects::Effect::Echo>);
   add(library, "mgLowPass", setLowPass);
   add(library, "mgMusic", setMusic);
-  add(library, "mgParticles", setName<&RoomSettings::particles>);
+  add(library, "mgParticles", setParticles);
   add(library, "mgGravity", setValue<&RoomSettings::gravity>);
   add(library, "mgSetDifficulty", setValue<&RoomSettings::difficulty>);
   add(library, "mgSetRotation", rotation);

@@ -1,4 +1,6 @@
 // From a segment file to what a room is made of: its solid boxes, its look, its obstacles in the room's frame.
+#include <algorithm>
+
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
 
@@ -59,6 +61,15 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
     look->decals.push_back(made);
   }
   return look;
+}
+
+/// What only its look calls for: once a segment, however many of its boxes ask.
+void demandEffects(const SegmentLook& look, const std::string& who, effects::EffectSet& effects) {
+  const auto any = [&look](auto asks) { return std::any_of(look.boxes.begin(), look.boxes.end(), asks); };
+  if (any([](const LookBox& box) { return box.glow > 0.0f; })) effects.demand(effects::Effect::Bloom, who);
+  if (any([](const LookBox& box) { return box.reflects; })) effects.demand(effects::Effect::Mirror, who);
+  if (look.softShadow > 0.0f) effects.demand(effects::Effect::Shadows, who);
+  if (!look.decals.empty()) effects.demand(effects::Effect::Decals, who);
 }
 
 std::uint32_t modeBit(Mode mode) {
@@ -124,6 +135,7 @@ float placeSegment(Session& session, const std::string& name, float start, const
   PlannedSegment placed;
   placed.start = start;
   placed.look = makeLook(name, *segment);
+  demandEffects(*placed.look, segment->file, plan.effects);
   for (const content::Box& box : segment->boxes)
     if (!box.hidden) placed.solids.push_back({box.position, box.halfExtents});
   plan.segments.push_back(std::move(placed));

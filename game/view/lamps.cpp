@@ -22,4 +22,12 @@ void addHalos(const sim::SegmentLook& look, const Vec3& origin, std::vector<rend
   }
 }
 
+bool hasLamps(const sim::FramePacket& packet) {
+  for (const sim::RoomView& room : packet.rooms)
+    for (const sim::PlacedSegment& segment : room.segments)
+      for (const sim::LookBox& box : segment.look->boxes)
+        if (box.glow > 0.0f) return true;
+  return false;
+}
+
 }  // namespace brittle::view

@@ -11,4 +11,7 @@ namespace brittle::view {
 /// Appends the halos of the look's glowing boxes; `origin` is where the segment is.
 void addHalos(const sim::SegmentLook& look, const Vec3& origin, std::vector<render::Glow>& glows);
 
+/// Whether any segment of the rooms has a lamp: without one nothing shines.
+bool hasLamps(const sim::FramePacket& packet);
+
 }  // namespace brittle::view

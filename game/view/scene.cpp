@@ -129,7 +129,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   frame_.surroundings = surroundingsOf(seen_);
   frame_.sphereShadow = shadowStrengthOf(seen_);
   frame_.mirrorHeight = mirrorHeightOf(seen_);
-  frame_.bloom = kBloom;
+  frame_.bloom = hasLamps(seen_) ? kBloom : 0.0f;
   addRooms(pools);
   addThings();
   addDecals(seen_, memory_, tick, frame_);

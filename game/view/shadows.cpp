@@ -42,6 +42,7 @@ void Outline::face(const Quat& rotation) {
 
 void addShadows(const render::MeshGroup& group, std::span<const render::Material> materials, float strength,
                 std::vector<render::Shadow>& shadows) {
+  if (strength <= 0.0f) return;
   std::vector<Outline> outlines(group.bodies.size());
   for (const render::VisibleMesh& mesh : group.meshes) {
     if (mesh.body >= outlines.size()) continue;

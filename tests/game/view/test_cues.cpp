@@ -175,9 +175,10 @@ TEST(Cues, ScriptSoundsGoByTheirNames) {
 }
 
 TEST(Cues, EveryEventCanBeHeardOrIsKnownToBeSilent) {
-  for (int type = 0; type <= static_cast<int>(EventType::Checkpoint); ++type) {
+  for (int type = 0; type <= static_cast<int>(EventType::Glow); ++type) {
     const auto event = static_cast<EventType>(type);
-    const bool silent = event == EventType::RoomEntered || event == EventType::LevelDone || event == EventType::Sound;
+    const bool silent = event == EventType::RoomEntered || event == EventType::LevelDone || event == EventType::Sound ||
+                        event == EventType::Smoke || event == EventType::Glow;
     EXPECT_EQ(cuesFor({eventOf(event, Vec3::Zero())}, 1, 1).empty(), silent) << type;
   }
 }

@@ -48,6 +48,34 @@ class SceneOnNull : public ::testing::Test {
   geometry::MeshPool pool_;
 };
 
+TEST_F(SceneOnNull, StagesThatNoSegmentAsksForAreNotRun) {
+  Scene scene(*renderer_);
+  sim::FramePacket packet = packetAt(1000);
+  auto look = std::make_shared<sim::SegmentLook>(*packet.rooms[0].segments[0].look);
+  look->softShadow = 0.0f;
+  packet.rooms[0].segments[0].look = look;
+  const auto frameOf = [&] {
+    scene.tick(packet);
+    return scene.build(1.0f, kAspect, {&pool_, nullptr});
+  };
+  const render::Frame plain = frameOf();
+  EXPECT_EQ(plain.bloom, 0.0f);
+  EXPECT_FALSE(plain.mirrorHeight);
+  EXPECT_EQ(plain.sphereShadow, 0.0f);
+  EXPECT_THAT(plain.shadows, ::testing::IsEmpty());
+  EXPECT_THAT(plain.decals, ::testing::IsEmpty());
+  EXPECT_THAT(plain.glows, ::testing::IsEmpty());
+  look->boxes[0].reflects = true;
+  look->boxes[0].glow = 1.0f;
+  look->softShadow = 0.5f;
+  look->decals.push_back({});
+  const render::Frame full = frameOf();
+  EXPECT_GT(full.bloom, 0.0f);
+  EXPECT_TRUE(full.mirrorHeight);
+  EXPECT_GT(full.sphereShadow, 0.0f);
+  EXPECT_THAT(full.decals, ::testing::SizeIs(1));
+}
+
 TEST_F(SceneOnNull, DrawsOncePerMaterialHoweverManyThingsThereAre) {
   Scene scene(*renderer_);
   sim::FramePacket packet = packetAt(1000);
@@ -63,8 +91,8 @@ TEST_F(SceneOnNull, DrawsOncePerMaterialHoweverManyThingsThereAre) {
   packet.rooms[0].crumbs.resize(50, packet.rooms[0].crumbs[0]);
   ++packet.tick;
   EXPECT_EQ(drawsOf(scene, packet), few);
-  // fog, room, opaque convexes, balls, crumbs, shadows, glass, edges, three of the bloom, picture, HUD
-  EXPECT_EQ(few, 13u);
+  // fog, room, opaque convexes, balls, crumbs, shadows, glass, edges, picture, HUD; no lamp, so no bloom
+  EXPECT_EQ(few, 10u);
 }
 
 TEST_F(SceneOnNull, LeavesOutWhatTheBakedRoomShows) {

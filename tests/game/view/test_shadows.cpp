@@ -44,6 +44,11 @@ TEST(Shadows, OfAPillarFollowItsOtherAxis) {
   EXPECT_LT((seen[0].halfSize - Vec2(0.2f, 0.3f)).norm(), 1e-4f);
 }
 
+TEST(Shadows, AreNotMadeWhereTheSegmentHasNone) {
+  Caster pane(Vec3(1.0f, 0.8f, 0.05f), {Vec3::Zero(), Quat::Identity()}, render::kMetal);
+  EXPECT_TRUE(pane.shadows(0.0f).empty());
+}
+
 TEST(Shadows, OfGlassAreLighter) {
   const Transform pose{Vec3::Zero(), Quat::Identity()};
   Caster glass(Vec3(0.3f, 0.3f, 0.3f), pose, render::kGlass), metal(Vec3(0.3f, 0.3f, 0.3f), pose, render::kMetal);
