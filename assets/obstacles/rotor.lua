@@ -1,7 +1,7 @@
 -- A fan of glass arms that turns about the camera's way.
 -- length, width, thickness: of an arm; arms: how many; radius: of the hub; endplate: a plate across the end of each arm; speed: radians a
 -- second; drive: false lets it hang and swing; beat: it turns by one arm every so many beats instead; offset: where it starts (default:
--- anywhere); strength: force limit.
+-- anywhere); strength: force limit; axlecolor: of the ends of its axle.
 
 -- From the hub up to the ceiling: what the fan seems to hang on.
 function rope(side)
@@ -28,6 +28,13 @@ function init()
 	mgColor(mgGetColor("color", 0.7, 0.9, 0.95))
 	fan = mgCreateBody(0, 0, 0, 0, 0, offset)
 	hub = mgCreateCylinder(fan, r, t, 0, 0, 0, math.pi / 2, 0, 0)
+	-- The axle, seen before and behind the hub; its ends are glass too, so that they break with it.
+	local red, green, blue = mgGetColor("axlecolor", 0.9, 0.5, 0.16)
+	mgColor(red, green, blue)
+	for side = -1, 1, 2 do
+		mgCreateCylinder(fan, r * 0.5, 0.1, 0, 0, side * (t + 0.1), math.pi / 2, 0, 0)
+	end
+	mgColor(mgGetColor("color", 0.7, 0.9, 0.95))
 	for i = 0, arms - 1 do
 		-- An arm grows from a side of the hub, which has twelve: what shares no face would not hold together.
 		local a = (math.floor(i * 12 / arms) + 0.5) * math.pi / 6
