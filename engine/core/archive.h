@@ -1,5 +1,5 @@
-// core/archive.h - one description of a struct serves saving, restoring and hashing: `template <class A> void serialize(A& a) { a(x); a(y); }`.
-// So a snapshot and the state hash can never cover different things.
+// core/archive.h - one description of a struct serves saving, restoring and hashing: `template <class A> void
+// serialize(A& a) { a(x); a(y); }`. So a snapshot and the state hash can never cover different things.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,9 @@ concept FixedMatrix = requires(T& v) {  // Eigen vectors and matrices
   v.data();
 };
 template <class T>
-concept Quaternion = requires(T& v) { v.coeffs().data(); };
+concept Quaternion = requires(T& v) {
+  v.coeffs().data();
+};
 }  // namespace archive_detail
 
 /// Walks over structs, vectors, fixed matrices and numbers; Derived handles numbers and vector sizes.

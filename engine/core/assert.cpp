@@ -21,6 +21,8 @@ AssertHandler setAssertHandler(AssertHandler replacement) {
   return previous;
 }
 
-void assertFailed(const char* condition, const char* file, int line) { handler(condition, file, line); }
+void assertFailed(const char* condition, const char* file, int line) {
+  handler(condition, file, line);
+}
 
 }  // namespace brittle

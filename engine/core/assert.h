@@ -1,5 +1,5 @@
-// core/assert.h - contract checks. A caller that broke a contract stops here, in every build; data errors use Result instead.
-// The handler is replaceable so that tests can count failures.
+// core/assert.h - contract checks. A caller that broke a contract stops here, in every build; data errors use Result
+// instead. The handler is replaceable so that tests can count failures.
 #pragma once
 
 namespace brittle {

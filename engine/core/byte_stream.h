@@ -1,5 +1,5 @@
-// core/byte_stream.h - little-endian bytes in and out, for replays and snapshots. A reader never reads beyond its end: it goes
-// bad, returns zeroes from then on, and its user asks `ok()` once.
+// core/byte_stream.h - little-endian bytes in and out, for replays and snapshots. A reader never reads beyond its end:
+// it goes bad, returns zeroes from then on, and its user asks `ok()` once.
 #pragma once
 
 #include <cstdint>

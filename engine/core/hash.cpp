@@ -5,7 +5,9 @@
 
 namespace brittle {
 
-std::uint64_t hashBytes(const void* data, std::size_t size, std::uint64_t seed) { return XXH64(data, size, seed); }
+std::uint64_t hashBytes(const void* data, std::size_t size, std::uint64_t seed) {
+  return XXH64(data, size, seed);
+}
 
 std::uint32_t canonicalBits(float value) {
   if (value == 0.0f) return 0;

@@ -1,4 +1,5 @@
-// core/hash.h - 64-bit state hashes that are the same on every machine. Floats are hashed by their bits, with one NaN and one zero.
+// core/hash.h - 64-bit state hashes that are the same on every machine. Floats are hashed by their bits, with one NaN
+// and one zero.
 #pragma once
 
 #include <cstddef>

@@ -23,6 +23,8 @@ LogSink setLogSink(LogSink replacement) {
   return std::exchange(sink(), std::move(replacement));
 }
 
-void log(LogLevel level, std::string_view message) { sink()(level, message); }
+void log(LogLevel level, std::string_view message) {
+  sink()(level, message);
+}
 
 }  // namespace brittle

@@ -7,7 +7,11 @@ namespace {
 ZoneListener* installed = nullptr;
 }
 
-ZoneListener* setZoneListener(ZoneListener* listener) { return std::exchange(installed, listener); }
-ZoneListener* zoneListener() { return installed; }
+ZoneListener* setZoneListener(ZoneListener* listener) {
+  return std::exchange(installed, listener);
+}
+ZoneListener* zoneListener() {
+  return installed;
+}
 
 }  // namespace brittle

@@ -1,6 +1,6 @@
-// core/random.h - small random streams whose draws are the same on every machine. One stream per purpose, one draw per statement
-// (the order in which a compiler evaluates arguments is not defined).
-// Source: O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation, 2014.
+// core/random.h - small random streams whose draws are the same on every machine. One stream per purpose, one draw per
+// statement (the order in which a compiler evaluates arguments is not defined). Source: O'Neill, PCG: A Family of
+// Simple Fast Space-Efficient Statistically Good Algorithms for Random Number Generation, 2014.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // core/slot_pool.h - values in numbered slots, reached by handles that go stale when the slot is reused.
-// Iteration is in slot order and slots are reused last-freed-first, so the order depends on the calls made and on nothing else.
+// Iteration is in slot order and slots are reused last-freed-first, so the order depends on the calls made and on
+// nothing else.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@ bool isBeyondAWall(const geometry::ConvexView& convex, const Cell& cell) {
   return false;
 }
 
-/// Cuts `chunk` wall by wall. Appends what is outside to `outside`; `inside` becomes the rest. False if nothing is inside: then
-/// what was cut so far has been given back and `outside` is as it was.
+/// Cuts `chunk` wall by wall. Appends what is outside to `outside`; `inside` becomes the rest. False if nothing is
+/// inside: then what was cut so far has been given back and `outside` is as it was.
 bool cutOut(ChunkStore& store, const Cell& cell, const Chunk& chunk, std::vector<Chunk>& outside, Chunk& inside) {
   const std::size_t firstOutside = outside.size();
   inside = chunk;

@@ -1,6 +1,6 @@
-// fracture/carve.h - Boolean difference by splitting: every convex that reaches into the carved volume is cut by its walls in turn;
-// what is outside a wall stays, what is inside all of them becomes fragments.
-// Source: Gustafsson, Procedural Destruction (talk).
+// fracture/carve.h - Boolean difference by splitting: every convex that reaches into the carved volume is cut by its
+// walls in turn; what is outside a wall stays, what is inside all of them becomes fragments. Source: Gustafsson,
+// Procedural Destruction (talk).
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ struct CarveLists {
   std::vector<Chunk> scratch;
 };
 
-/// Carves `cell` out of lists.remains. Convexes that only a few walls would cut without removing anything are left whole. New
-/// fragments carry `isBonded` as given.
+/// Carves `cell` out of lists.remains. Convexes that only a few walls would cut without removing anything are left
+/// whole. New fragments carry `isBonded` as given.
 void carve(ChunkStore& store, const Cell& cell, bool isBonded, CarveLists& lists);
 
 }  // namespace brittle::fracture

@@ -6,11 +6,12 @@ namespace brittle::fracture {
 
 namespace {
 
-// Room every result convex starts with, so that buffers that change hands between breakings seldom have to grow. Measured: shards
-// of panes and blocks have 6 to 24 vertices.
+// Room every result convex starts with, so that buffers that change hands between breakings seldom have to grow.
+// Measured: shards of panes and blocks have 6 to 24 vertices.
 constexpr std::size_t kRoomVertices = 48, kRoomFaces = 32, kRoomEdges = 144;
 
-/// Ids of earlier breakings mean nothing in this one, even where they are the same number: only the cap, the last face, is of this one.
+/// Ids of earlier breakings mean nothing in this one, even where they are the same number: only the cap, the last face,
+/// is of this one.
 void forgetOlderCuts(geometry::Convex& convex) {
   for (std::size_t i = 0; i + 1 < convex.faces.size(); ++i) convex.faces[i].cut = 0;
 }
@@ -46,7 +47,8 @@ CutResult ChunkStore::cut(const Chunk& parent, const Plane& plane, Chunk& above,
   geometry::Convex& convexAbove = (*made_)[slotAbove];
   geometry::Convex& convexBelow = (*made_)[slotBelow];
   const geometry::CutMark mark{nextCut_, geometry::FaceKind::Cut};
-  const geometry::SplitOutcome outcome = geometry::split<float>(view(parent), plane, mark, scratch_, convexAbove, convexBelow);
+  const geometry::SplitOutcome outcome =
+      geometry::split<float>(view(parent), plane, mark, scratch_, convexAbove, convexBelow);
   if (outcome == geometry::SplitOutcome::Split) {
     if (parent.slot == kWholePart) {
       forgetOlderCuts(convexAbove);

@@ -1,5 +1,5 @@
-// fracture/chunk.h - the convexes of a breaking under way: parts not cut so far, and what was cut from them. Owns the free list of
-// result convexes and the one place where a cut is made and refusals are counted. Knows no pattern.
+// fracture/chunk.h - the convexes of a breaking under way: parts not cut so far, and what was cut from them. Owns the
+// free list of result convexes and the one place where a cut is made and refusals are counted. Knows no pattern.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ class ChunkStore {
   /// Valid until the next cut.
   geometry::ConvexView view(const Chunk& chunk) const;
 
-  /// Cuts `parent` (which stays as it was; release it when done with it). Unless the result is Split, `above` and `below` are not
-  /// written and the result says on which side the uncut chunk lies for the most part.
+  /// Cuts `parent` (which stays as it was; release it when done with it). Unless the result is Split, `above` and
+  /// `below` are not written and the result says on which side the uncut chunk lies for the most part.
   CutResult cut(const Chunk& parent, const Plane& plane, Chunk& above, Chunk& below);
 
   /// Gives the chunk's slot back.

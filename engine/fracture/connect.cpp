@@ -9,8 +9,8 @@ namespace brittle::fracture {
 
 namespace {
 
-// Faces that lean by more than a degree do not face each other. Derived: a thin gap between faces hinged at an edge would otherwise
-// count as contact over slop / sin(angle). [-]
+// Faces that lean by more than a degree do not face each other. Derived: a thin gap between faces hinged at an edge
+// would otherwise count as contact over slop / sin(angle). [-]
 constexpr float kFacing = -0.99985f;
 
 float mostAlong(const geometry::ConvexView& convex, const Vec3& direction) {
@@ -65,7 +65,8 @@ bool shareAFace(const geometry::ConvexView& a, const geometry::ConvexView& b, fl
   return false;
 }
 
-/// Levels are built from boxes that stand in each other: what overlaps deeper than the slop hangs together however it is turned.
+/// Levels are built from boxes that stand in each other: what overlaps deeper than the slop hangs together however it
+/// is turned.
 bool overlapDeeply(const geometry::ConvexView& a, const geometry::ConvexView& b, float slop) {
   if (!boxOf(a).grownBy(-slop).overlaps(boxOf(b))) return false;
   // A face that holds the other off settles most pairs without the full test.
@@ -76,7 +77,8 @@ bool overlapDeeply(const geometry::ConvexView& a, const geometry::ConvexView& b,
     if (mostAlong(a, -face.plane.normal) < slop - face.plane.offset) return false;
   }
   geometry::SimplexCache cache;
-  return geometry::separation({a, Vec3::Zero(), 0.0f}, Transform{}, {b, Vec3::Zero(), 0.0f}, Transform{}, cache).distance < -slop;
+  return geometry::separation({a, Vec3::Zero(), 0.0f}, Transform{}, {b, Vec3::Zero(), 0.0f}, Transform{}, cache)
+             .distance < -slop;
 }
 
 }  // namespace
@@ -160,7 +162,8 @@ bool touchesAnchor(const geometry::ConvexView& convex, const Anchor& anchor, flo
   if (anchor.pointCount < 3) {
     for (std::uint32_t i = 0; i < anchor.pointCount; ++i) {
       bool isWithin = true;
-      for (const geometry::Face& face : convex.faces) isWithin = isWithin && face.plane.distance(anchor.points[i]) <= slop;
+      for (const geometry::Face& face : convex.faces)
+        isWithin = isWithin && face.plane.distance(anchor.points[i]) <= slop;
       if (isWithin) return true;
     }
     return false;

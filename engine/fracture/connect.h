@@ -1,5 +1,5 @@
-// fracture/connect.h - what hangs together: the test of two convexes, and the grouping of many. Chunks of one part know their
-// neighbours from the cuts (see neighbours.h); this file finds those of different parts.
+// fracture/connect.h - what hangs together: the test of two convexes, and the grouping of many. Chunks of one part know
+// their neighbours from the cuts (see neighbours.h); this file finds those of different parts.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ bool areConnected(const geometry::ConvexView& a, const geometry::ConvexView& b, 
 /// Unites the sets of all pairs of nodes of different parts that hang together.
 void connectNodes(std::span<const Node> nodes, float slop, ConnectScratch& scratch, DisjointSets& sets);
 
-/// True if `convex` touches the anchor: the anchor's polygon has more than (2 slop)^2 of area within `slop` of the convex; for an
-/// anchor of one or two points, if one of them is within `slop` of it.
+/// True if `convex` touches the anchor: the anchor's polygon has more than (2 slop)^2 of area within `slop` of the
+/// convex; for an anchor of one or two points, if one of them is within `slop` of it.
 bool touchesAnchor(const geometry::ConvexView& convex, const Anchor& anchor, float slop, ConnectScratch& scratch);
 
 }  // namespace brittle::fracture

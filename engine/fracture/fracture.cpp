@@ -39,8 +39,8 @@ struct Fracturer::Scratch {
   std::vector<Chunk> shattered;  // fragments after their last cut
   CrackTree tree;
   ShatterScratch shatter;
-  std::vector<Chunk> chunks;     // one per piece
-  std::vector<Node> nodes;       // one per piece
+  std::vector<Chunk> chunks;  // one per piece
+  std::vector<Node> nodes;    // one per piece
   ConnectScratch connecting;
   DisjointSets sets;
   SharedFaceFinder finder;
@@ -77,7 +77,8 @@ void Fracturer::Scratch::begin(std::span<const Part> parts) {
   for (std::uint32_t i = 0; i < parts.size(); ++i) carving.remains.push_back({i, kWholePart, false, false});
 }
 
-void Fracturer::Scratch::breakAt(const Impact& impact, const FractureMaterial& material, std::uint64_t seed, std::size_t index) {
+void Fracturer::Scratch::breakAt(const Impact& impact, const FractureMaterial& material, std::uint64_t seed,
+                                 std::size_t index) {
   const Strike strike = strikeOf(store.parts(), impact, material);
   Random holeRandom = streamOf(seed, index, Stream::Hole);
   carving.fragments.clear();
@@ -96,7 +97,8 @@ void Fracturer::Scratch::breakAt(const Impact& impact, const FractureMaterial& m
 void Fracturer::Scratch::leaveSomeInTheRim(const Strike& strike, std::size_t first, Random random) {
   for (std::size_t i = first; i < shattered.size(); ++i) {
     const bool isChosen = random.nextFloat() < kRimStays;
-    shattered[i].isRim = isChosen && isAtRim(strike, store.view(shattered[i]), boxOf(store.view(shattered[i])).center());
+    shattered[i].isRim =
+        isChosen && isAtRim(strike, store.view(shattered[i]), boxOf(store.view(shattered[i])).center());
   }
 }
 
@@ -124,7 +126,8 @@ void Fracturer::Scratch::shatterEvenly(const DiceShape& shape, std::uint32_t cou
   for (const Chunk& chunk : carving.fragments) {
     const float volume = geometry::massOf<float>(store.view(chunk)).volume;
     const float wanted = total > 0.0f ? static_cast<float>(count) * (volume / total) : 1.0f;
-    shatterInto(store, shape, chunk, static_cast<std::uint32_t>(maxOf(wanted, 1.0f) + 0.5f), random, shatter, shattered);
+    shatterInto(store, shape, chunk, static_cast<std::uint32_t>(maxOf(wanted, 1.0f) + 0.5f), random, shatter,
+                shattered);
   }
 }
 
@@ -243,8 +246,9 @@ void Fracturer::Scratch::makeGroups(float slop) {
   chooseKept();
 }
 
-/// Whether sharing a face joins the two: what remains and what is bonded, and a fragment of the rim with what remains (but not with
-/// the next one of the rim: two that hold only each other fall apart). A fragment that stays is none any more.
+/// Whether sharing a face joins the two: what remains and what is bonded, and a fragment of the rim with what remains
+/// (but not with the next one of the rim: two that hold only each other fall apart). A fragment that stays is none any
+/// more.
 bool Fracturer::Scratch::hangTogether(std::uint32_t a, std::uint32_t b) {
   const auto stays = [&](std::uint32_t i) { return !chunks[i].isFragment || chunks[i].isBonded; };
   if (stays(a) && stays(b)) return true;
@@ -253,7 +257,8 @@ bool Fracturer::Scratch::hangTogether(std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
-/// All anchored sets are one group, the first: they stay in the body they are in. The others follow in the order of their pieces.
+/// All anchored sets are one group, the first: they stay in the body they are in. The others follow in the order of
+/// their pieces.
 void Fracturer::Scratch::numberGroups() {
   constexpr std::uint32_t kNone = 0xffffffff, kAnchored = 0;
   groupOfSet.assign(nodes.size(), kNone);
@@ -293,7 +298,8 @@ void Fracturer::Scratch::chooseKept() {
 
 void Fracturer::Scratch::makeNeighbours() {
   for (const SharedFace& face : shared) {
-    if (result.pieces[face.seed.pieceA].group != result.pieces[face.seed.pieceB].group) result.neighbours.push_back(face.seed);
+    if (result.pieces[face.seed.pieceA].group != result.pieces[face.seed.pieceB].group)
+      result.neighbours.push_back(face.seed);
   }
 }
 

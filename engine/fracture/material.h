@@ -1,4 +1,5 @@
-// fracture/material.h - how a breakable thing breaks. Numbers are ours, chosen by eye against footage of breaking glass unless said.
+// fracture/material.h - how a breakable thing breaks. Numbers are ours, chosen by eye against footage of breaking glass
+// unless said.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +16,10 @@ enum class Pattern : std::uint8_t {
 
 struct FractureMaterial {
   Pattern pattern = Pattern::Pane;
-  float carveRadius = 0.3f;        // radius of the hole at 10 m/s [m]; grows with the square root of impact speed
-  float density = 1.0f;            // number of cracks relative to the default [-], > 0
-  float dieSize = 0.02f;           // Tempered: edge of a die [m]
-  float minVolume = 2e-6f;         // pieces below become debris [m3]
+  float carveRadius = 0.3f;  // radius of the hole at 10 m/s [m]; grows with the square root of impact speed
+  float density = 1.0f;      // number of cracks relative to the default [-], > 0
+  float dieSize = 0.02f;     // Tempered: edge of a die [m]
+  float minVolume = 2e-6f;   // pieces below become debris [m3]
 };
 
 }  // namespace brittle::fracture

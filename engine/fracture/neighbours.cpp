@@ -11,7 +11,8 @@ std::uint32_t mainCorners(std::span<const Vec3> polygon, const Vec3& normal, Vec
     for (std::size_t i = 0; i < polygon.size(); ++i) corners[i] = polygon[i];
     return static_cast<std::uint32_t>(polygon.size());
   }
-  // The corner farthest from the first, the one farthest from that, and the outermost on both sides of the line between them.
+  // The corner farthest from the first, the one farthest from that, and the outermost on both sides of the line between
+  // them.
   const auto farthestFrom = [&](const Vec3& point) {
     std::size_t best = 0;
     float most = -1.0f;

@@ -1,5 +1,6 @@
-// fracture/neighbours.h - the faces that pieces share across a cut. The cut knows its neighbours: two pieces of one part touch only
-// across the cut that parted them, so candidates are looked for among the caps of one cut and nowhere else.
+// fracture/neighbours.h - the faces that pieces share across a cut. The cut knows its neighbours: two pieces of one
+// part touch only across the cut that parted them, so candidates are looked for among the caps of one cut and nowhere
+// else.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +23,16 @@ struct CutFace {
   std::uint32_t face;
 };
 
-/// Finds every pair of pieces that share more than `leastArea` [m2] of a cut. `pieces` are in one frame; those with isUsed false
-/// are left out. In ascending order of (pieceA, pieceB).
+/// Finds every pair of pieces that share more than `leastArea` [m2] of a cut. `pieces` are in one frame; those with
+/// isUsed false are left out. In ascending order of (pieceA, pieceB).
 class SharedFaceFinder {
  public:
   void find(std::span<const Node> pieces, float leastArea, std::vector<SharedFace>& shared);
 
  private:
   void collect(std::span<const Node> pieces);
-  void pair(std::span<const Node> pieces, const CutFace& a, const CutFace& b, float leastArea, std::vector<SharedFace>& shared);
+  void pair(std::span<const Node> pieces, const CutFace& a, const CutFace& b, float leastArea,
+            std::vector<SharedFace>& shared);
 
   std::vector<CutFace> caps_;
   std::vector<CutFace> above_, below_;

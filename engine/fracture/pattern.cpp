@@ -9,19 +9,23 @@ namespace brittle::fracture {
 namespace {
 
 constexpr float kTurn = 2.0f * kPi;
-constexpr float kClearance = 1.05f;      // how much wider than the striker's shadow the way through it is [-]
+constexpr float kClearance = 1.05f;  // how much wider than the striker's shadow the way through it is [-]
 // All of these by eye, from pictures of the pattern.
-constexpr float kEndShare = 0.5f;        // the hole ends so far beyond the sheet, of the radius [-]
-constexpr float kThinRim = 0.12f;        // least depth beyond a wall, of the radius [-]
-constexpr float kThinShard = 0.035f;     // least depth beside a crack, of the radius [-]
-constexpr float kWidestCore = 1.45f;     // a wedge at the centre that is wider splits before its first ring [rad]
-constexpr float kWidestBand = 1.5f;      // a piece of a ring that is longer than this many widths of the ring splits [-]
-constexpr float kRimShare = 0.5f;        // pieces nearer to the centre do not stay in the rim, of the radius [-]
-constexpr float kRingShare[2][3] = {{0.24f, 0.56f, 0.0f}, {0.16f, 0.37f, 0.66f}};  // radii of 2 and 3 rings, of the radius [-]
+constexpr float kEndShare = 0.5f;     // the hole ends so far beyond the sheet, of the radius [-]
+constexpr float kThinRim = 0.12f;     // least depth beyond a wall, of the radius [-]
+constexpr float kThinShard = 0.035f;  // least depth beside a crack, of the radius [-]
+constexpr float kWidestCore = 1.45f;  // a wedge at the centre that is wider splits before its first ring [rad]
+constexpr float kWidestBand = 1.5f;   // a piece of a ring that is longer than this many widths of the ring splits [-]
+constexpr float kRimShare = 0.5f;     // pieces nearer to the centre do not stay in the rim, of the radius [-]
+constexpr float kRingShare[2][3] = {{0.24f, 0.56f, 0.0f},
+                                    {0.16f, 0.37f, 0.66f}};  // radii of 2 and 3 rings, of the radius [-]
 
-Vec3 inSheet(const Strike& strike, float angle) { return strike.right * cosine(angle) + strike.up * sine(angle); }
+Vec3 inSheet(const Strike& strike, float angle) {
+  return strike.right * cosine(angle) + strike.up * sine(angle);
+}
 
-/// Distance [m] from the strike's centre beyond which nothing is in the striker's way, in the direction `outward` within the sheet.
+/// Distance [m] from the strike's centre beyond which nothing is in the striker's way, in the direction `outward`
+/// within the sheet.
 float clearDistance(const Strike& strike, const Vec3& outward) {
   const Vec3 aside = strike.passage - strike.center;
   return aside.dot(outward) + kClearance * reachWithinSheet(strike, strike.strikerRadius, outward);
@@ -193,7 +197,8 @@ std::uint32_t radialCount(const FractureMaterial& material, float speed) {
   return static_cast<std::uint32_t>(clampTo(wanted, 4.0f, 40.0f) + 0.5f);
 }
 
-void growSheetCracks(const Strike& strike, const FractureMaterial& material, float speed, Random& random, CrackTree& tree) {
+void growSheetCracks(const Strike& strike, const FractureMaterial& material, float speed, Random& random,
+                     CrackTree& tree) {
   tree.cracks.clear();
   tree.minDepth = kThinShard * strike.radius;
   const std::uint32_t rings = 2 + random.nextBelow(2);

@@ -15,7 +15,8 @@ constexpr float kLeastCosine = 0.342f;
 // Speed at which a hole has the material's carve radius. [m/s]
 constexpr float kReferenceSpeed = 10.0f;
 
-/// The point of a face closest to a point above it. Outside an edge the closest point lies on the rim, else straight below.
+/// The point of a face closest to a point above it. Outside an edge the closest point lies on the rim, else straight
+/// below.
 Vec3 closestOnFace(const geometry::ConvexView& convex, const geometry::Face& face, const Vec3& point) {
   Vec3 best = point - face.plane.normal * face.plane.distance(point);
   float bestSquared = 3.0e38f;
@@ -75,7 +76,8 @@ Span spanAlong(const geometry::ConvexView& convex, const Vec3& axis) {
   return span;
 }
 
-/// The broadest face says which way the sheet lies: that of the part hit, or of the whole body if the part is a mere rod of it.
+/// The broadest face says which way the sheet lies: that of the part hit, or of the whole body if the part is a mere
+/// rod of it.
 void findSheet(std::span<const Part> parts, Strike& strike) {
   BroadFace broad;
   considerFaces(parts[strike.part].convex, strike.direction, broad);

@@ -29,10 +29,10 @@ enum class FaceKind : std::uint16_t { Surface, Cut };
 
 template <class S>
 struct FaceT {
-  PlaneT<S> plane;                     // outward
-  std::uint16_t edge = 0;              // any half-edge of the loop
+  PlaneT<S> plane;         // outward
+  std::uint16_t edge = 0;  // any half-edge of the loop
   FaceKind kind = FaceKind::Surface;
-  std::uint32_t cut = 0;               // which cut made this face (unique within one breaking); 0: none
+  std::uint32_t cut = 0;  // which cut made this face (unique within one breaking); 0: none
 };
 
 /// A half-edge. Loops run counter-clockwise seen from outside.
@@ -83,9 +83,9 @@ using Convex = ConvexT<float>;
 std::uint32_t packNormal(const Vec3& normal);
 Vec3 unpackNormal(std::uint32_t packed);
 
-/// The first rule the mesh breaks, as a sentence, or null if it is a valid closed polyhedron: Euler's identity, twin symmetry,
-/// closed loops of at least 3, simple and 3-connected (no vertex of degree 2, two faces share at most one edge), indices in range.
-/// Topology only: no coordinate is looked at, so it is exact for every scalar.
+/// The first rule the mesh breaks, as a sentence, or null if it is a valid closed polyhedron: Euler's identity, twin
+/// symmetry, closed loops of at least 3, simple and 3-connected (no vertex of degree 2, two faces share at most one
+/// edge), indices in range. Topology only: no coordinate is looked at, so it is exact for every scalar.
 template <class S>
 const char* findTopologyError(const ConvexViewT<S>& convex);
 

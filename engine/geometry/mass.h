@@ -8,9 +8,9 @@ namespace brittle::geometry {
 /// For unit density: multiply volume and inertia by the density [kg/m3] to get mass and inertia.
 template <class S>
 struct MassPropertiesT {
-  S volume = S(0);                                        // [m3]
-  Vec3T<S> center = Vec3T<S>(S(0), S(0), S(0));           // centre of mass [m], in the frame of the vertices
-  Mat3T<S> inertia = Mat3T<S>::Constant(S(0));            // about `center` [m5 for unit density]
+  S volume = S(0);                               // [m3]
+  Vec3T<S> center = Vec3T<S>(S(0), S(0), S(0));  // centre of mass [m], in the frame of the vertices
+  Mat3T<S> inertia = Mat3T<S>::Constant(S(0));   // about `center` [m5 for unit density]
 };
 using MassProperties = MassPropertiesT<float>;
 

@@ -1,5 +1,6 @@
-// geometry/mesh_pool.h - the shared convex mesh buffer. Physics allocates and splits in it; the renderer mirrors its dirty vertex
-// ranges and draws them, and needs to know nothing else. One slot per shape: vertices carry the slot, slots carry the body.
+// geometry/mesh_pool.h - the shared convex mesh buffer. Physics allocates and splits in it; the renderer mirrors its
+// dirty vertex ranges and draws them, and needs to know nothing else. One slot per shape: vertices carry the slot,
+// slots carry the body.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +22,10 @@ struct Range {
 
 /// What the renderer needs to know of a slot beside its vertices.
 struct MeshInfo {
-  Range vertices, faces, edges;    // in the pool's arrays; edge and face indices inside are local to the convex
-  std::uint32_t bodySlot = 0;      // which transform moves it
-  std::uint16_t material = 0;      // game-defined draw material
-  std::uint16_t flags = 0;         // game-defined
+  Range vertices, faces, edges;  // in the pool's arrays; edge and face indices inside are local to the convex
+  std::uint32_t bodySlot = 0;    // which transform moves it
+  std::uint16_t material = 0;    // game-defined draw material
+  std::uint16_t flags = 0;       // game-defined
   bool alive = false;
 };
 

@@ -16,9 +16,10 @@ struct EdgeLine {
 /// One of the two convexes, in A's frame and in double.
 struct Side {
   std::vector<Vec3d> points, normals;
-  std::vector<std::uint32_t> refuted;  // per face: which of the other's deep points lie below it by more than the best depth
+  std::vector<std::uint32_t>
+      refuted;  // per face: which of the other's deep points lie below it by more than the best depth
   std::vector<EdgeLine> edges;
-  Vec3d deep[32];                      // extreme points met so far: those of this convex that reach deepest into the other
+  Vec3d deep[32];  // extreme points met so far: those of this convex that reach deepest into the other
   std::uint32_t deepIndex[32];
   int deepCount = 0;
 };
@@ -96,8 +97,8 @@ class AxisTest {
     return length > 1e-30 ? Vec3d(apart / length) : Vec3d(0.0, 1.0, 0.0);
   }
 
-  /// Measures an axis that leaves `from` over all vertices and keeps it if it separates better. Returns the extreme vertex of
-  /// `to`. Any pair of points bounds the separation from above, so a hopeless axis costs one search.
+  /// Measures an axis that leaves `from` over all vertices and keeps it if it separates better. Returns the extreme
+  /// vertex of `to`. Any pair of points bounds the separation from above, so a hopeless axis costs one search.
   std::uint32_t tryAxis(const Vec3d& axis, const Side& from, const Side& to, const Vec3d& onFrom) {
     const std::uint32_t deepest = farthest(to.points, -axis.x(), -axis.y(), -axis.z());
     const double low = to.points[deepest].dot(axis);
@@ -127,9 +128,10 @@ class AxisTest {
     if (best_.separation > before) best_.axis = 1 + 2 * f + (&ownSide == &sideA_ ? 0 : 1);
   }
 
-  /// On an axis between the normals of two faces of A, A's extreme point is on their edge. If some point of B is below both faces
-  /// by at least the depth known so far, it is so for every axis between, and the edge cannot do better: notes for each face
-  /// which points of the other are that deep. A vertex deep inside all faces refutes every edge at once.
+  /// On an axis between the normals of two faces of A, A's extreme point is on their edge. If some point of B is below
+  /// both faces by at least the depth known so far, it is so for every axis between, and the edge cannot do better:
+  /// notes for each face which points of the other are that deep. A vertex deep inside all faces refutes every edge at
+  /// once.
   void refute(const ConvexView& own, Side& ownSide, const Side& other) const {
     ownSide.refuted.resize(own.faces.size());
     const double limit = best_.separation + kEdgeSlack * std::abs(best_.separation);
@@ -189,7 +191,8 @@ class AxisTest {
 
   void nearestOnLines(const EdgeLine& a, const EdgeLine& b) {
     const Vec3d apart = a.start - b.start;
-    const double cosine = a.direction.dot(b.direction), alongA = a.direction.dot(apart), alongB = b.direction.dot(apart);
+    const double cosine = a.direction.dot(b.direction), alongA = a.direction.dot(apart),
+                 alongB = b.direction.dot(apart);
     const double s = clampTo((cosine * alongB - alongA) / (1.0 - cosine * cosine), 0.0, a.along.norm());
     const double t = clampTo(cosine * s + alongB, 0.0, b.along.norm());
     best_.pointA = a.start + s * a.direction;

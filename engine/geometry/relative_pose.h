@@ -1,5 +1,6 @@
-// geometry/relative_pose.h - one frame as seen from another, in double. Vertices and poses are floats; the difference of two
-// far poses is taken here before anything is rounded, so that what follows is as precise as the floats it was given.
+// geometry/relative_pose.h - one frame as seen from another, in double. Vertices and poses are floats; the difference
+// of two far poses is taken here before anything is rounded, so that what follows is as precise as the floats it was
+// given.
 #pragma once
 
 #include "engine/math/transform.h"
@@ -16,7 +17,8 @@ inline Mat3d rotationMatrix(double w, double x, double y, double z) {
 }
 
 inline Mat3d rotationMatrix(const Quat& q) {
-  return rotationMatrix(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()), static_cast<double>(q.z()));
+  return rotationMatrix(static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
+                        static_cast<double>(q.z()));
 }
 
 /// Maps points of B's frame to A's.
@@ -25,7 +27,8 @@ struct RelativePose {
   Vec3d translation = Vec3d::Zero();  // [m]
 
   Vec3d apply(const Vec3& point) const {
-    const double x = static_cast<double>(point.x()), y = static_cast<double>(point.y()), z = static_cast<double>(point.z());
+    const double x = static_cast<double>(point.x()), y = static_cast<double>(point.y()),
+                 z = static_cast<double>(point.z());
     return {rotation(0, 0) * x + rotation(0, 1) * y + rotation(0, 2) * z + translation.x(),
             rotation(1, 0) * x + rotation(1, 1) * y + rotation(1, 2) * z + translation.y(),
             rotation(2, 0) * x + rotation(2, 1) * y + rotation(2, 2) * z + translation.z()};

@@ -4,8 +4,8 @@ namespace brittle::geometry {
 
 namespace {
 
-/// Below this fraction of its largest possible size an area or volume counts as flat; double has 1e-16, and the float vertices
-/// of a sliver of aspect 1e-4 stay far above it.
+/// Below this fraction of its largest possible size an area or volume counts as flat; double has 1e-16, and the float
+/// vertices of a sliver of aspect 1e-4 stay far above it.
 constexpr double kFlat = 1e-13;
 
 /// Which of up to four vertices are kept, with which weights, and how far from the origin the point is.
@@ -39,7 +39,9 @@ Nearest ofSegment(const Simplex& s, int i, int j) {
   return result;
 }
 
-const Nearest& nearer(const Nearest& a, const Nearest& b) { return b.squared < a.squared ? b : a; }
+const Nearest& nearer(const Nearest& a, const Nearest& b) {
+  return b.squared < a.squared ? b : a;
+}
 
 Nearest ofTriangle(const Simplex& s, int i, int j, int k) {
   const Vec3d& a = s.vertices[i].w;
@@ -104,10 +106,18 @@ Nearest ofTetrahedron(const Simplex& s) {
 void reduceToNearest(Simplex& simplex) {
   Nearest nearest;
   switch (simplex.count) {
-    case 1: nearest = ofPoint(simplex, 0); break;
-    case 2: nearest = ofSegment(simplex, 0, 1); break;
-    case 3: nearest = ofTriangle(simplex, 0, 1, 2); break;
-    default: nearest = ofTetrahedron(simplex); break;
+    case 1:
+      nearest = ofPoint(simplex, 0);
+      break;
+    case 2:
+      nearest = ofSegment(simplex, 0, 1);
+      break;
+    case 3:
+      nearest = ofTriangle(simplex, 0, 1, 2);
+      break;
+    default:
+      nearest = ofTetrahedron(simplex);
+      break;
   }
   if (nearest.count == simplex.count) {
     for (int i = 0; i < nearest.count; ++i) simplex.weights[i] = nearest.weights[i];

@@ -26,8 +26,8 @@ struct Simplex {
   }
 };
 
-/// Drops the vertices that the point nearest the origin does not need and sets the weights of the others. 4 are left only if
-/// the origin is inside. Any simplex is legal, flat and repeated ones too.
+/// Drops the vertices that the point nearest the origin does not need and sets the weights of the others. 4 are left
+/// only if the origin is inside. Any simplex is legal, flat and repeated ones too.
 void reduceToNearest(Simplex& simplex);
 
 }  // namespace brittle::geometry

@@ -1,15 +1,17 @@
 // geometry/split.h - cut a convex polyhedron by a plane.
-// The one operation all breaking is made of. Pure: no world, no randomness. Used by fracture/carve and fracture/shatter.
+// The one operation all breaking is made of. Pure: no world, no randomness. Used by fracture/carve and
+// fracture/shatter.
 #pragma once
 
 #include "engine/geometry/convex.h"
 
 namespace brittle::geometry {
 
-/// Thinnest piece a split may make, as a fraction of the parent's extent [-]. Below it float mass properties lose their sign.
+/// Thinnest piece a split may make, as a fraction of the parent's extent [-]. Below it float mass properties lose their
+/// sign.
 inline constexpr float kMinThickness = 0x1p-16f;
-/// The same as a fraction of the parent's largest coordinate [-]: 32 units in the last place of a float, so that small pieces far
-/// out in a large body stay well above the grid of floats.
+/// The same as a fraction of the parent's largest coordinate [-]: 32 units in the last place of a float, so that small
+/// pieces far out in a large body stay well above the grid of floats.
 inline constexpr float kMinThicknessOfReach = 0x1p-18f;
 
 enum class SplitOutcome {
@@ -43,14 +45,13 @@ struct SplitScratchT {
 };
 using SplitScratch = SplitScratchT<float>;
 
-/// Cuts `parent` by `plane` (unit normal, except for exact scalars) into `above` (signed distance >= 0) and `below`. If the
-/// outcome is not Split, neither is written. If `parent` is valid, so are both pieces: one closed cap each, bit-identical cap
-/// vertices, other faces with the parent's planes bit for bit. Cap vertices lie within 2^-20 of the parent's extent, or 8 units in
-/// the last place of its largest coordinate, of the plane. `above` and `below` must not alias `parent`.
-/// The order of vertices, faces and edges depends on the arguments only (replays rely on it). Linear in half-edges; allocates
-/// only what the pieces and the scratch grow.
-/// Source: Gustafsson, Procedural Destruction (talk): classify by sign, clamp to the edge, then topology only; the sign repair
-/// is ours, see split.cpp.
+/// Cuts `parent` by `plane` (unit normal, except for exact scalars) into `above` (signed distance >= 0) and `below`. If
+/// the outcome is not Split, neither is written. If `parent` is valid, so are both pieces: one closed cap each,
+/// bit-identical cap vertices, other faces with the parent's planes bit for bit. Cap vertices lie within 2^-20 of the
+/// parent's extent, or 8 units in the last place of its largest coordinate, of the plane. `above` and `below` must not
+/// alias `parent`. The order of vertices, faces and edges depends on the arguments only (replays rely on it). Linear in
+/// half-edges; allocates only what the pieces and the scratch grow. Source: Gustafsson, Procedural Destruction (talk):
+/// classify by sign, clamp to the edge, then topology only; the sign repair is ours, see split.cpp.
 template <class S>
 SplitOutcome split(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
                    ConvexT<S>& above, ConvexT<S>& below);

@@ -6,7 +6,7 @@
 namespace brittle {
 
 struct Aabb {
-  Vec3 low = Vec3::Constant(3.0e38f);    // above `high` on every axis: empty
+  Vec3 low = Vec3::Constant(3.0e38f);  // above `high` on every axis: empty
   Vec3 high = Vec3::Constant(-3.0e38f);
 
   bool isEmpty() const { return high.x() < low.x(); }

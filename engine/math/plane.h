@@ -19,6 +19,8 @@ struct PlaneT {
 
 using Plane = PlaneT<float>;
 
-inline Plane planeThrough(const Vec3& point, const Vec3& normal) { return {normal, normal.dot(point)}; }
+inline Plane planeThrough(const Vec3& point, const Vec3& normal) {
+  return {normal, normal.dot(point)};
+}
 
 }  // namespace brittle

@@ -1,6 +1,6 @@
-// math/simd.h - four floats at once, element-wise only: +, -, *, /, square root, compare and select. No horizontal sums and no
-// estimates, so every width and every instruction set gives the bits of the scalar code.
-// GCC and clang vector extensions compile to SSE, NEON, WebAssembly SIMD or plain scalar code.
+// math/simd.h - four floats at once, element-wise only: +, -, *, /, square root, compare and select. No horizontal sums
+// and no estimates, so every width and every instruction set gives the bits of the scalar code. GCC and clang vector
+// extensions compile to SSE, NEON, WebAssembly SIMD or plain scalar code.
 #pragma once
 
 #include <cmath>
@@ -13,18 +13,30 @@ typedef std::int32_t Mask4 __attribute__((vector_size(16)));  // 0 or -1 per lan
 
 inline constexpr int kLanes = 4;
 
-inline Float4 splat(float value) { return Float4{value, value, value, value}; }
+inline Float4 splat(float value) {
+  return Float4{value, value, value, value};
+}
 inline Float4 select(Mask4 mask, Float4 ifTrue, Float4 ifFalse) {
   const auto a = __builtin_bit_cast(Mask4, ifTrue);
   const auto b = __builtin_bit_cast(Mask4, ifFalse);
   return __builtin_bit_cast(Float4, (a & mask) | (b & ~mask));
 }
-inline Float4 minOf(Float4 a, Float4 b) { return select(b < a, b, a); }
-inline Float4 maxOf(Float4 a, Float4 b) { return select(a < b, b, a); }
-inline Float4 squareRoot(Float4 v) { return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])}; }
+inline Float4 minOf(Float4 a, Float4 b) {
+  return select(b < a, b, a);
+}
+inline Float4 maxOf(Float4 a, Float4 b) {
+  return select(a < b, b, a);
+}
+inline Float4 squareRoot(Float4 v) {
+  return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+}
 
-inline float select(bool mask, float ifTrue, float ifFalse) { return mask ? ifTrue : ifFalse; }
-inline float squareRoot(float v) { return std::sqrt(v); }
+inline float select(bool mask, float ifTrue, float ifFalse) {
+  return mask ? ifTrue : ifFalse;
+}
+inline float squareRoot(float v) {
+  return std::sqrt(v);
+}
 
 /// A vector of N, where N is float or Float4 (one vector per lane): the same code serves both.
 template <class N>

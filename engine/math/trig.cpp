@@ -1,5 +1,5 @@
-// Source: Cody and Waite, Software Manual for the Elementary Functions, 1980 (argument reduction); the kernels are Taylor
-// expansions carried to where the next term lies below 2^-54 of the result on the reduced interval.
+// Source: Cody and Waite, Software Manual for the Elementary Functions, 1980 (argument reduction); the kernels are
+// Taylor expansions carried to where the next term lies below 2^-54 of the result on the reduced interval.
 #include "engine/math/trig.h"
 
 #include <cstdint>
@@ -56,16 +56,22 @@ Reduced reduce(double angle) {
   return {r, static_cast<int>(static_cast<std::int64_t>(k) & 3)};
 }
 
-bool isUsable(double angle) { return angle - angle == 0.0 && angle < 1e9 && angle > -1e9; }
+bool isUsable(double angle) {
+  return angle - angle == 0.0 && angle < 1e9 && angle > -1e9;
+}
 
 double quarterTurns(double angle, int offset) {
   if (!isUsable(angle)) return __builtin_nan("");
   const Reduced reduced = reduce(angle);
   switch ((reduced.quadrant + offset) & 3) {
-    case 0: return sineKernel(reduced.r);
-    case 1: return cosineKernel(reduced.r);
-    case 2: return -sineKernel(reduced.r);
-    default: return -cosineKernel(reduced.r);
+    case 0:
+      return sineKernel(reduced.r);
+    case 1:
+      return cosineKernel(reduced.r);
+    case 2:
+      return -sineKernel(reduced.r);
+    default:
+      return -cosineKernel(reduced.r);
   }
 }
 
@@ -90,13 +96,21 @@ double scaleByPowerOfTwo(double x, int exponent) {
   return x * __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52);
 }
 
-bool isWhole(double x) { return (x < 0x1p51 && x > -0x1p51) ? nearestWhole(x) == x : true; }
-bool isOdd(double x) { return x < 0x1p51 && x > -0x1p51 && (static_cast<std::int64_t>(x) & 1) != 0; }
+bool isWhole(double x) {
+  return (x < 0x1p51 && x > -0x1p51) ? nearestWhole(x) == x : true;
+}
+bool isOdd(double x) {
+  return x < 0x1p51 && x > -0x1p51 && (static_cast<std::int64_t>(x) & 1) != 0;
+}
 
 }  // namespace
 
-double sineOf(double angle) { return quarterTurns(angle, 0); }
-double cosineOf(double angle) { return quarterTurns(angle, 1); }
+double sineOf(double angle) {
+  return quarterTurns(angle, 0);
+}
+double cosineOf(double angle) {
+  return quarterTurns(angle, 1);
+}
 
 double arcTangentOf(double y, double x) {
   if (x != x || y != y) return __builtin_nan("");
@@ -161,12 +175,24 @@ double power(double x, double y) {
   return exponentialOf(y * logarithmOf(x));
 }
 
-float sine(float angle) { return static_cast<float>(sineOf(angle)); }
-float cosine(float angle) { return static_cast<float>(cosineOf(angle)); }
-float tangent(float angle) { return static_cast<float>(sineOf(angle) / cosineOf(angle)); }
-float arcTangent(float y, float x) { return static_cast<float>(arcTangentOf(y, x)); }
-float exponential(float x) { return static_cast<float>(exponentialOf(x)); }
-float logarithm(float x) { return static_cast<float>(logarithmOf(x)); }
+float sine(float angle) {
+  return static_cast<float>(sineOf(angle));
+}
+float cosine(float angle) {
+  return static_cast<float>(cosineOf(angle));
+}
+float tangent(float angle) {
+  return static_cast<float>(sineOf(angle) / cosineOf(angle));
+}
+float arcTangent(float y, float x) {
+  return static_cast<float>(arcTangentOf(y, x));
+}
+float exponential(float x) {
+  return static_cast<float>(exponentialOf(x));
+}
+float logarithm(float x) {
+  return static_cast<float>(logarithmOf(x));
+}
 
 float arcCosine(float x) {
   const double c = x < -1.0f ? -1.0 : (x > 1.0f ? 1.0 : static_cast<double>(x));

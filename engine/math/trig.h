@@ -1,5 +1,6 @@
-// math/trig.h - sine and its family from additions, multiplications and square roots only, so that they give the same bits with every
-// compiler and C library. Evaluated in double, rounded once; errors below 1 ulp of float for |angle| < 1e5.
+// math/trig.h - sine and its family from additions, multiplications and square roots only, so that they give the same
+// bits with every compiler and C library. Evaluated in double, rounded once; errors below 1 ulp of float for |angle| <
+// 1e5.
 #pragma once
 
 namespace brittle {

@@ -35,9 +35,15 @@ constexpr T clampTo(T value, T low, T high) {
   return value < low ? low : (high < value ? high : value);
 }
 
-inline bool isFinite(float value) { return value - value == 0.0f; }
-inline bool isFinite(const Vec3& v) { return isFinite(v.x()) && isFinite(v.y()) && isFinite(v.z()); }
-inline bool isFinite(const Quat& q) { return isFinite(q.x()) && isFinite(q.y()) && isFinite(q.z()) && isFinite(q.w()); }
+inline bool isFinite(float value) {
+  return value - value == 0.0f;
+}
+inline bool isFinite(const Vec3& v) {
+  return isFinite(v.x()) && isFinite(v.y()) && isFinite(v.z());
+}
+inline bool isFinite(const Quat& q) {
+  return isFinite(q.x()) && isFinite(q.y()) && isFinite(q.z()) && isFinite(q.w());
+}
 
 /// The matrix S with S u = v x u.
 inline Mat3 crossMatrix(const Vec3& v) {

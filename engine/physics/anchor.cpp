@@ -9,8 +9,9 @@ namespace {
 constexpr float kAnchorSlop = 2e-3f;  // level files put panes this near to their frames [m]
 
 /// What of a face of `shape` lies within `support` grown by the slop, in world space.
-void coveredPart(const geometry::ConvexView& convex, std::uint32_t face, const Transform& pose, const geometry::ConvexView& support,
-                 const Transform& supportPose, std::vector<Vec3>& scratch, std::vector<Vec3>& polygon) {
+void coveredPart(const geometry::ConvexView& convex, std::uint32_t face, const Transform& pose,
+                 const geometry::ConvexView& support, const Transform& supportPose, std::vector<Vec3>& scratch,
+                 std::vector<Vec3>& polygon) {
   geometry::facePolygon(convex, face, pose, polygon);
   for (const geometry::Face& side : support.faces) {
     if (polygon.size() < 3) return;
@@ -48,7 +49,8 @@ void anchorShape(State& state, Shape& shape) {
   state.tree.query(state.tree.box(shape.proxy).grownBy(kAnchorSlop), [&](std::uint32_t slot) {
     const Shape& support = state.shapes.at(slot);
     const Body& body = state.bodyOf(support);
-    if (support.body == shape.body || body.type != BodyType::Static || body.breakable || support.isSphere()) return true;
+    if (support.body == shape.body || body.type != BodyType::Static || body.breakable || support.isSphere())
+      return true;
     if (findAnchor(state, shape, support, shape.anchors[shape.anchorCount])) {
       shape.anchored = true;
       ++shape.anchorCount;

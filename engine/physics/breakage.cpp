@@ -14,15 +14,16 @@
 namespace brittle::physics {
 namespace {
 
-constexpr float kCrackSlop = 1e-4f;            // facing faces closer than this hang together [m]
-constexpr float kBreakableVolumeRatio = 30.0f; // a piece breaks again from this many times the smallest piece's volume [-]
+constexpr float kCrackSlop = 1e-4f;  // facing faces closer than this hang together [m]
+constexpr float kBreakableVolumeRatio =
+    30.0f;  // a piece breaks again from this many times the smallest piece's volume [-]
 
 using fracture::Fracture;
 using fracture::Piece;
 
 /// Scratch of one breaking: which shape each piece became, and which body each group.
 struct Swap {
-  std::vector<ShapeHandle> shapes;    // of the old body, in the order they were given as parts
+  std::vector<ShapeHandle> shapes;  // of the old body, in the order they were given as parts
   std::vector<fracture::Part> parts;
   std::vector<BodyHandle> bodyOfGroup;
   std::vector<ShapeHandle> shapeOfPiece;
@@ -64,7 +65,8 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
   hasFragments.assign(result.groups.size(), false);
   for (const Piece& piece : result.pieces) hasFragments[piece.group] = hasFragments[piece.group] || piece.isFragment;
   swap.isCarvedOut.assign(result.groups.size(), true);
-  for (const Piece& piece : result.pieces) swap.isCarvedOut[piece.group] = swap.isCarvedOut[piece.group] && piece.isFragment;
+  for (const Piece& piece : result.pieces)
+    swap.isCarvedOut[piece.group] = swap.isCarvedOut[piece.group] && piece.isFragment;
   for (std::uint32_t g = 0; g < result.groups.size(); ++g) {
     const fracture::Group& group = result.groups[g];
     if (group.keepsBody) {
@@ -121,7 +123,8 @@ void placePieces(State& state, const Fracture& result, std::size_t first, std::s
     if (!swap.isCarvedOut[piece.group]) swap.piecesOfShape.push_back(shape);
   }
   if (!result.pieces[heir].isWhole)
-    moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()), kCrackSlop);
+    moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()),
+               kCrackSlop);
 }
 
 /// Parts whose every piece was too small leave no shape.
@@ -164,8 +167,10 @@ void seedContacts(State& state, const Fracture& result, const Swap& swap) {
 
 /// Impacts on one body are taken by place, whoever was made first.
 bool isBefore(const fracture::Impact& a, const fracture::Impact& b) {
-  const float keyA[] = {a.point.x(), a.point.y(), a.point.z(), a.direction.x(), a.direction.y(), a.direction.z(), a.speed};
-  const float keyB[] = {b.point.x(), b.point.y(), b.point.z(), b.direction.x(), b.direction.y(), b.direction.z(), b.speed};
+  const float keyA[] = {a.point.x(),     a.point.y(),     a.point.z(), a.direction.x(),
+                        a.direction.y(), a.direction.z(), a.speed};
+  const float keyB[] = {b.point.x(),     b.point.y(),     b.point.z(), b.direction.x(),
+                        b.direction.y(), b.direction.z(), b.speed};
   return std::lexicographical_compare(std::begin(keyA), std::end(keyA), std::begin(keyB), std::end(keyB));
 }
 
@@ -193,15 +198,18 @@ void gatherBreakings(State& state) {
     if (hardest == nullptr) continue;
     std::stable_sort(impacts.begin() + firstImpact, impacts.end(), isBefore);
     const Body& struck = state.bodies[hardest->struck];
-    const BreakEvent event{hardest->struck, hardest->striker, struck.assembly, struck.userData, hardest->point,
-                           normalizedOr(hardest->relativeVelocity, Vec3::UnitY()), hardest->approachSpeed, hardest->capacity, 0};
+    const BreakEvent event{
+        hardest->struck,        hardest->striker,  struck.assembly,
+        struck.userData,        hardest->point,    normalizedOr(hardest->relativeVelocity, Vec3::UnitY()),
+        hardest->approachSpeed, hardest->capacity, 0};
     state.breakings.push_back({event, firstImpact, static_cast<std::uint32_t>(impacts.size()) - firstImpact});
   }
 }
 
 void carryOut(State& state, const Breaking& breaking) {
   BreakEvent event = breaking.event;
-  event.pieces = breakBody(state, event.body, &state.impacts[breaking.firstImpact], breaking.impactCount, event.striker);
+  event.pieces =
+      breakBody(state, event.body, &state.impacts[breaking.firstImpact], breaking.impactCount, event.striker);
   state.events.breaks.push_back(event);
   ++state.counters.breaks;
   ++state.counters.totalBreaks;
@@ -209,14 +217,16 @@ void carryOut(State& state, const Breaking& breaking) {
 
 }  // namespace
 
-std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact* impacts, std::uint32_t count, BodyHandle striker) {
+std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact* impacts, std::uint32_t count,
+                        BodyHandle striker) {
   BR_ZONE("break");
   Swap& swap = scratch();
   gatherParts(state, handle, swap);
   if (swap.parts.empty()) return 0;
   const Body old = state.bodies[handle];
   const std::uint32_t color = swap.parts[0].convex.vertices[0].color;
-  const Fracture& result = state.fracturer.fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
+  const Fracture& result =
+      state.fracturer.fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
   state.counters.totalRefusedCuts += result.refusedCuts;
   state.counters.crumbs += static_cast<std::uint32_t>(result.crumbs.size());
 
@@ -262,8 +272,8 @@ std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact*
 void fractureSaturated(State& state) {
   BR_ZONE("fracture");
   state.touchedBodies.clear();
-  // Charge and read everything first: breaking removes the contacts that carry what was paid, also those of a body that was struck here
-  // and strikes there.
+  // Charge and read everything first: breaking removes the contacts that carry what was paid, also those of a body that
+  // was struck here and strikes there.
   for (const Strike& strike : state.strikes.list)
     if (strike.saturated && strike.mayBreak) charge(state, strike.striker, strike.struck, strike.capacity);
   gatherBreakings(state);
@@ -300,8 +310,15 @@ void breakHeld(State& state) {
     }
     std::stable_sort(impacts.begin(), impacts.end(), isBefore);
     const Body& struck = state.bodies[first.struck];
-    const BreakEvent event{first.struck, first.striker, struck.assembly, struck.userData, struck.pose.toWorld(first.impact.point),
-                           struck.pose.rotate(first.impact.direction), first.impact.speed, first.impulse, 0};
+    const BreakEvent event{first.struck,
+                           first.striker,
+                           struck.assembly,
+                           struck.userData,
+                           struck.pose.toWorld(first.impact.point),
+                           struck.pose.rotate(first.impact.direction),
+                           first.impact.speed,
+                           first.impulse,
+                           0};
     carryOut(state, {event, 0, static_cast<std::uint32_t>(impacts.size())});
   }
 }

@@ -6,11 +6,13 @@ namespace brittle::physics {
 
 namespace {
 
-/// Heights of two siblings may differ by this much. With 2, n leaves need at least n(h) = n(h-1) + n(h-3), so the height stays
-/// below 1.82 log2 n; 1 (AVL) would force more rotations against the surface-area heuristic.
+/// Heights of two siblings may differ by this much. With 2, n leaves need at least n(h) = n(h-1) + n(h-3), so the
+/// height stays below 1.82 log2 n; 1 (AVL) would force more rotations against the surface-area heuristic.
 constexpr std::int32_t kMaxImbalance = 2;
 
-float unionArea(const Aabb& a, const Aabb& b) { return unionOf(a, b).halfArea(); }
+float unionArea(const Aabb& a, const Aabb& b) {
+  return unionOf(a, b).halfArea();
+}
 
 }  // namespace
 
@@ -55,8 +57,8 @@ void DynamicTree::move(std::uint32_t proxy, const Aabb& box) {
   attach(proxy);
 }
 
-/// Greedy descent: pairing with `index` costs the area of the new parent plus what all ancestors grow; going on into a child
-/// costs at least what that child grows. Ties go to the lower child, so equal boxes still make a balanced tree.
+/// Greedy descent: pairing with `index` costs the area of the new parent plus what all ancestors grow; going on into a
+/// child costs at least what that child grows. Ties go to the lower child, so equal boxes still make a balanced tree.
 std::uint32_t DynamicTree::bestSibling(const Aabb& box) const {
   std::uint32_t index = root_;
   float inherited = 0.0f;
@@ -148,8 +150,8 @@ void DynamicTree::swapDown(std::uint32_t top, int side, int grandchild) {
   refit(top);
 }
 
-/// One rotation: forced where the heights differ too much (the taller grandchild goes up), else the exchange of a child with a
-/// grandchild that saves the most area, as long as no height and no balance changes for the worse.
+/// One rotation: forced where the heights differ too much (the taller grandchild goes up), else the exchange of a child
+/// with a grandchild that saves the most area, as long as no height and no balance changes for the worse.
 void DynamicTree::rotate(std::uint32_t index) {
   const Node& node = nodes_[index];
   const std::int32_t heights[2] = {nodes_[node.child[0]].height, nodes_[node.child[1]].height};
@@ -170,8 +172,9 @@ void DynamicTree::rotate(std::uint32_t index) {
       const Node& up = nodes_[other.child[grandchild]];
       const Node& stays = nodes_[other.child[1 - grandchild]];
       const std::int32_t joined = 1 + maxOf(down.height, stays.height);
-      const bool balanced = down.height - stays.height <= kMaxImbalance && stays.height - down.height <= kMaxImbalance &&
-                            joined - up.height <= kMaxImbalance && up.height - joined <= kMaxImbalance;
+      const bool balanced = down.height - stays.height <= kMaxImbalance &&
+                            stays.height - down.height <= kMaxImbalance && joined - up.height <= kMaxImbalance &&
+                            up.height - joined <= kMaxImbalance;
       if (!balanced || 1 + maxOf(joined, up.height) != node.height) continue;
       const float saving = other.box.halfArea() - unionArea(down.box, stays.box);
       if (saving > bestSaving) {
@@ -194,7 +197,8 @@ void DynamicTree::shift(const Vec3& offset) {
 
 const char* DynamicTree::findNodeError(std::uint32_t index) const {
   const Node& node = nodes_[index];
-  if (node.isLeaf()) return node.height == 0 && node.child[1] == kNull ? nullptr : "a leaf has a height or half a child";
+  if (node.isLeaf())
+    return node.height == 0 && node.child[1] == kNull ? nullptr : "a leaf has a height or half a child";
   for (const std::uint32_t child : node.child) {
     if (child >= nodes_.size()) return "a child is out of range";
     if (nodes_[child].parent != index) return "a child has another parent";

@@ -62,7 +62,8 @@ void markJointedBodies(State& state) {
   });
 }
 
-/// Marks what a shape has contacts with already: looked up for each pair, that would be a walk along its list each time.
+/// Marks what a shape has contacts with already: looked up for each pair, that would be a walk along its list each
+/// time.
 void markKnownPairs(State& state, const Shape& shape, ShapeHandle handle) {
   state.knownPairOf.resize(state.shapes.capacity());
   forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {

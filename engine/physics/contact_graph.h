@@ -1,5 +1,5 @@
-// physics/contact_graph.h - which shapes are in contact: the pair list, threaded through the shapes so that the contacts of one
-// shape are found without a search. Used by collision, breaking, deactivation and removal.
+// physics/contact_graph.h - which shapes are in contact: the pair list, threaded through the shapes so that the
+// contacts of one shape are found without a search. Used by collision, breaking, deactivation and removal.
 #pragma once
 
 #include "engine/physics/state.h"

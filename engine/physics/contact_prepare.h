@@ -1,20 +1,29 @@
-// physics/contact_prepare.h - from a manifold to solver rows and back, one lane at a time. Private to the contact solver.
+// physics/contact_prepare.h - from a manifold to solver rows and back, one lane at a time. Private to the contact
+// solver.
 #pragma once
 
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
 
-inline void setLane(float& target, int, float value) { target = value; }
-inline void setLane(Float4& target, int lane, float value) { target[lane] = value; }
+inline void setLane(float& target, int, float value) {
+  target = value;
+}
+inline void setLane(Float4& target, int lane, float value) {
+  target[lane] = value;
+}
 template <class N>
 inline void setLane(Wide3<N>& target, int lane, const Vec3& value) {
   setLane(target.x, lane, value.x());
   setLane(target.y, lane, value.y());
   setLane(target.z, lane, value.z());
 }
-inline float lane(float value, int) { return value; }
-inline float lane(const Float4& value, int i) { return value[i]; }
+inline float lane(float value, int) {
+  return value;
+}
+inline float lane(const Float4& value, int i) {
+  return value[i];
+}
 template <class N>
 inline Vec3 lane(const Wide3<N>& value, int i) {
   return Vec3(lane(value.x, i), lane(value.y, i), lane(value.z, i));
@@ -27,8 +36,8 @@ inline float timeLeft(const Body& a, const Body& b, float dt) {
 
 /// A row along `direction` at the arms rA, rB [m]; its effective mass is 1 / compliance, 0 if nothing gives way.
 template <class N>
-void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec3& rB, const Vec3& direction, float impulse, int i,
-             Row<N>& row) {
+void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec3& rB, const Vec3& direction,
+             float impulse, int i, Row<N>& row) {
   const Vec3 angularA = rA.cross(direction);
   const Vec3 angularB = rB.cross(direction);
   const Vec3 turnA = a.invInertia * angularA;
@@ -43,14 +52,15 @@ void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec
 }
 
 template <class N>
-void fillFriction(const SolverBody& a, const SolverBody& b, const Contact& contact, const Vec3& middle, float radius, int i,
-                  ContactRows<N>& rows) {
+void fillFriction(const SolverBody& a, const SolverBody& b, const Contact& contact, const Vec3& middle, float radius,
+                  int i, ContactRows<N>& rows) {
   const Manifold& manifold = contact.manifold;
   const Vec3 u = perpendicular(manifold.normal);
   const Vec3 tangents[2] = {u, manifold.normal.cross(u)};
   for (int t = 0; t < 2; ++t) {
     setLane(rows.tangent[t], i, tangents[t]);
-    fillRow(a, b, middle - a.center, middle - b.center, tangents[t], manifold.frictionImpulse.dot(tangents[t]), i, rows.slide[t]);
+    fillRow(a, b, middle - a.center, middle - b.center, tangents[t], manifold.frictionImpulse.dot(tangents[t]), i,
+            rows.slide[t]);
   }
   const Vec3 turnA = a.invInertia * manifold.normal;
   const Vec3 turnB = b.invInertia * manifold.normal;
@@ -92,8 +102,8 @@ void fillLane(const State& state, const Contact& contact, GapRule gap, float dt,
 template <class N>
 void storeLane(const ContactRows<N>& rows, int i, Manifold& manifold) {
   for (int p = 0; p < manifold.count; ++p) manifold.points[p].normalImpulse = lane(rows.point[p].impulse, i);
-  manifold.frictionImpulse =
-      lane(rows.tangent[0], i) * lane(rows.slide[0].impulse, i) + lane(rows.tangent[1], i) * lane(rows.slide[1].impulse, i);
+  manifold.frictionImpulse = lane(rows.tangent[0], i) * lane(rows.slide[0].impulse, i) +
+                             lane(rows.tangent[1], i) * lane(rows.slide[1].impulse, i);
   manifold.twistImpulse = lane(rows.twistImpulse, i);
 }
 

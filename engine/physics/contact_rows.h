@@ -1,6 +1,7 @@
-// physics/contact_rows.h - the velocity constraints of one contact (N = float) or of four independent ones (N = Float4): a normal
-// row per point, and at the middle of the points friction along two tangents and a twist about the normal.
-// Private to the contact solver. Source: Catto, Iterative Dynamics with Temporal Coherence, 2005 (accumulated, clamped impulses).
+// physics/contact_rows.h - the velocity constraints of one contact (N = float) or of four independent ones (N =
+// Float4): a normal row per point, and at the middle of the points friction along two tangents and a twist about the
+// normal. Private to the contact solver. Source: Catto, Iterative Dynamics with Temporal Coherence, 2005 (accumulated,
+// clamped impulses).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,8 @@ struct PairVelocity {
   Wide3<N> linearA, angularA, linearB, angularB;
 };
 
-/// One row along a direction at a point: `angular` is arm x direction, `turn` is what a unit impulse changes of the spin.
+/// One row along a direction at a point: `angular` is arm x direction, `turn` is what a unit impulse changes of the
+/// spin.
 template <class N>
 struct Row {
   Wide3<N> angularA, angularB, turnA, turnB;
@@ -46,9 +48,7 @@ struct ContactRows {
     v.linearB = v.linearB + direction * (invMassB * impulse);
     v.angularB = v.angularB + row.turnB * impulse;
   }
-  N normalSum() const {
-    return (point[0].impulse + point[1].impulse) + (point[2].impulse + point[3].impulse);
-  }
+  N normalSum() const { return (point[0].impulse + point[1].impulse) + (point[2].impulse + point[3].impulse); }
 
   void warmStart(PairVelocity<N>& v) const {
     for (const Row<N>& row : point) apply(normal, row, row.impulse, v);

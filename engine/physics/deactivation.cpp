@@ -10,10 +10,14 @@ namespace {
 constexpr float kRestSpeed = 0.05f;       // [m/s] of the farthest point; chosen by eye: below, motion is not seen
 constexpr std::uint32_t kRestTicks = 30;  // half a second at 60 Hz
 
-float surfaceSpeed(const Body& body) { return body.velocity.norm() + body.angularVelocity.norm() * body.radius; }
+float surfaceSpeed(const Body& body) {
+  return body.velocity.norm() + body.angularVelocity.norm() * body.radius;
+}
 
 /// Whether a body moves enough to wake what it touches. A lift slower than rest still carries its load off.
-bool isMoving(const Body& body) { return surfaceSpeed(body) > (body.isDynamic() ? kRestSpeed : 0.0f); }
+bool isMoving(const Body& body) {
+  return surfaceSpeed(body) > (body.isDynamic() ? kRestSpeed : 0.0f);
+}
 
 bool isSupported(const State& state, const Body& body) {
   if (state.gravity.isZero() || body.gravityScale == 0.0f) return true;
@@ -79,7 +83,8 @@ void wakeTouching(State& state, ShapeHandle first) {
       Body& body = state.bodyOf(state.shapes[other]);
       if (!contact.touching || !body.isDynamic() || body.awake) return true;
       body.wake();
-      // Within a tick: its inertia and tight boxes are from whenever it fell asleep, and a restored world has none of them.
+      // Within a tick: its inertia and tight boxes are from whenever it fell asleep, and a restored world has none of
+      // them.
       refreshInertia(body);
       forEachShape(state, body, [&](ShapeHandle next, const Shape& shape) {
         state.shapeBoxes[next.index] = geometry::boundsOf(proxyOf(shape, state.meshes), body.pose);

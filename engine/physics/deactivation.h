@@ -1,5 +1,5 @@
-// physics/deactivation.h - each body decides for itself when to rest, wakes by touch, and nothing stays floating when its support
-// goes. No islands.
+// physics/deactivation.h - each body decides for itself when to rest, wakes by touch, and nothing stays floating when
+// its support goes. No islands.
 #pragma once
 
 #include "engine/physics/state.h"

@@ -1,5 +1,5 @@
-// physics/debris.h - light debris: points with a radius that fall and collide with planes of static geometry only. The oldest are
-// recycled; volume is accounted for.
+// physics/debris.h - light debris: points with a radius that fall and collide with planes of static geometry only. The
+// oldest are recycled; volume is accounted for.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,10 @@ struct Crumb {
 };
 
 struct Debris {
-  std::vector<Crumb> crumbs;        // ring: the oldest is at `oldest` once full
+  std::vector<Crumb> crumbs;  // ring: the oldest is at `oldest` once full
   std::uint32_t oldest = 0;
-  std::uint64_t recycled = 0;       // crumbs overwritten since the start
-  double recycledVolume = 0.0;      // [m3]
+  std::uint64_t recycled = 0;   // crumbs overwritten since the start
+  double recycledVolume = 0.0;  // [m3]
 
   template <class Archive>
   void serialize(Archive& a) {

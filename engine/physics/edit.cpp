@@ -83,7 +83,8 @@ ShapeHandle makeSphere(State& state, BodyHandle body, const Shape& sphere) {
   return handle;
 }
 
-void replaceConvex(State& state, ShapeHandle handle, const geometry::ConvexView& convex, const geometry::MassProperties& properties) {
+void replaceConvex(State& state, ShapeHandle handle, const geometry::ConvexView& convex,
+                   const geometry::MassProperties& properties) {
   removeContactsOf(state, handle);
   Shape& shape = state.shapes[handle];
   state.meshes.replace(shape.mesh, convex);
@@ -134,7 +135,8 @@ void updateMass(State& state, BodyHandle handle) {
   body.velocity += body.angularVelocity.cross(body.center - oldCenter);
   body.radius = 0.0f;
   forEachShape(state, body, [&](ShapeHandle, const Shape& shape) {
-    if (shape.isSphere()) body.radius = maxOf(body.radius, (shape.center - body.localCenter).norm() + shape.radius);
+    if (shape.isSphere())
+      body.radius = maxOf(body.radius, (shape.center - body.localCenter).norm() + shape.radius);
     else
       for (const geometry::Vertex& vertex : state.meshes.view(shape.mesh).vertices)
         body.radius = maxOf(body.radius, (vertex.point - body.localCenter).norm());

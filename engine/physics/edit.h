@@ -1,5 +1,5 @@
-// physics/edit.h - making, joining and unmaking bodies and shapes: the primitive operations that World's interface and breaking
-// are written with. Definitions have been checked by the time they get here.
+// physics/edit.h - making, joining and unmaking bodies and shapes: the primitive operations that World's interface and
+// breaking are written with. Definitions have been checked by the time they get here.
 #pragma once
 
 #include "engine/physics/state.h"
@@ -15,7 +15,8 @@ ShapeHandle makeConvex(State& state, BodyHandle body, const Shape& like, const g
                        const geometry::MassProperties& properties);
 ShapeHandle makeSphere(State& state, BodyHandle body, const Shape& shape);
 /// Gives a shape another convex; contacts are removed, its proxy is renewed.
-void replaceConvex(State& state, ShapeHandle shape, const geometry::ConvexView& convex, const geometry::MassProperties& properties);
+void replaceConvex(State& state, ShapeHandle shape, const geometry::ConvexView& convex,
+                   const geometry::MassProperties& properties);
 /// Moves a shape to another body with the same frame. Mass is not updated.
 void moveShape(State& state, ShapeHandle shape, BodyHandle body);
 void dropShape(State& state, ShapeHandle shape);

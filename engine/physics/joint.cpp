@@ -1,14 +1,15 @@
 // The velocity solver of joints: rows prepared once, iterated on, remembered for the next tick.
 //
-// Anchors turn with their bodies within a tick. Holding J v = 0 with the arms of the tick's beginning would throw away the part of
-// the velocity that turns with them: a pendulum would lose w^2 dt/2 of its speed per second and its anchor would drift by
-// w^2 r dt^2/2 per tick. So the rows hold the mean velocity over the tick instead: with the rotation vector t = w dt,
+// Anchors turn with their bodies within a tick. Holding J v = 0 with the arms of the tick's beginning would throw away
+// the part of the velocity that turns with them: a pendulum would lose w^2 dt/2 of its speed per second and its anchor
+// would drift by w^2 r dt^2/2 per tick. So the rows hold the mean velocity over the tick instead: with the rotation
+// vector t = w dt,
 //   (R(t) r - r) / dt = w x r + (dt/2) w x (w x r) + O(dt^2),
-// and the second term is the row's bias c. Impulses still act along the arms of the beginning, halfway between the velocities
-// before and after, which makes the method symmetric in time, so that energy does not drift to second order.
-// Where motion is not smooth (a whip's crack, a blow) that would add energy: impulses p between the relative speeds u before the
-// tick and -c after it do the work p . (u - c) / 2 = -(u K^-1 u - c K^-1 c) / 2, so c is never let grow longer than u.
-// Source: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, VII.1.4 (SHAKE and RATTLE).
+// and the second term is the row's bias c. Impulses still act along the arms of the beginning, halfway between the
+// velocities before and after, which makes the method symmetric in time, so that energy does not drift to second order.
+// Where motion is not smooth (a whip's crack, a blow) that would add energy: impulses p between the relative speeds u
+// before the tick and -c after it do the work p . (u - c) / 2 = -(u K^-1 u - c K^-1 c) / 2, so c is never let grow
+// longer than u. Source: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, VII.1.4 (SHAKE and RATTLE).
 #include "engine/physics/joint.h"
 
 #include <cmath>
@@ -25,7 +26,8 @@ SolverBody& bodyAt(SolverBody* bodies, std::uint32_t slot, SolverBody& world) {
   return slot == kWorldBody ? world : bodies[slot];
 }
 
-/// How far the velocity of the tip of `arm` turns within half a tick; bounded for any spin (the Cayley map's denominator). [m/s]
+/// How far the velocity of the tip of `arm` turns within half a tick; bounded for any spin (the Cayley map's
+/// denominator). [m/s]
 Vec3 turning(const Vec3& w, const Vec3& arm, float dt) {
   const float scale = 0.5f * dt / (1.0f + 0.25f * dt * dt * w.squaredNorm());
   return w.cross(w.cross(arm)) * scale;
@@ -45,7 +47,8 @@ void addTurning(const PreparedJoint& joint, const SolverBody& a, const SolverBod
     for (int i = 0; i < 3; ++i) speeds[i] += allowed[i];
   }
   if (rows.count == 5 && rows.linearCount == 3) {  // a hinge: its axis turns with both
-    const Vec3 bias = rows.axis.cross(turning(a.angularVelocity, rows.axis, dt) - turning(b.angularVelocity, rows.axis, dt));
+    const Vec3 bias =
+        rows.axis.cross(turning(a.angularVelocity, rows.axis, dt) - turning(b.angularVelocity, rows.axis, dt));
     const Vec3 allowed = shortened(bias, joint.mostAxisTurning);
     speeds[3] += rows.equalities[3].angularA.dot(allowed);
     speeds[4] += rows.equalities[4].angularA.dot(allowed);
@@ -61,7 +64,8 @@ float ropeTurning(const PreparedJoint& joint, const SolverBody& a, const SolverB
   const float distance = maxOf(rows.coordinate, 1e-6f);
   const float turned = across.squaredNorm() * dt * dt / (distance * distance);
   const float passing = 0.5f * turned * distance / (dt * (1.0f + 0.25f * turned));
-  const float bias = direction.dot(turning(a.angularVelocity, rows.armA, dt) - turning(b.angularVelocity, rows.armB, dt)) + passing;
+  const float bias =
+      direction.dot(turning(a.angularVelocity, rows.armA, dt) - turning(b.angularVelocity, rows.armB, dt)) + passing;
   return clampTo(bias, -joint.mostTurning, joint.mostTurning);
 }
 
@@ -75,8 +79,8 @@ void applyEqualities(const JointRows& rows, const float* impulse, SolverBody& a,
 void loadEqualities(const Joint& joint, PreparedJoint& prepared) {
   for (std::uint32_t i = 0; i < prepared.rows.count; ++i) {
     const JointRow& row = prepared.rows.equalities[i];
-    prepared.impulse[i] = i < prepared.rows.linearCount ? row.linear.dot(joint.linearImpulse)
-                                                        : row.angularA.dot(joint.angularImpulse);
+    prepared.impulse[i] =
+        i < prepared.rows.linearCount ? row.linear.dot(joint.linearImpulse) : row.angularA.dot(joint.angularImpulse);
   }
 }
 
@@ -95,7 +99,8 @@ bool isFree(const State& state, std::uint32_t slot) {
 }
 
 /// Rows `first` to `last`: the length of their speeds.
-float speedOf(const JointRows& rows, std::uint32_t first, std::uint32_t last, const SolverBody& a, const SolverBody& b) {
+float speedOf(const JointRows& rows, std::uint32_t first, std::uint32_t last, const SolverBody& a,
+              const SolverBody& b) {
   float sum = 0.0f;
   for (std::uint32_t i = first; i < last; ++i) {
     const float speed = rows.equalities[i].speed(a, b);
@@ -106,7 +111,8 @@ float speedOf(const JointRows& rows, std::uint32_t first, std::uint32_t last, co
 
 void boundTurning(PreparedJoint& joint, const SolverBody& a, const SolverBody& b) {
   const JointRows& rows = joint.rows;
-  joint.mostTurning = joint.isRope ? maxOf(rows.coordinateRow.speed(a, b), 0.0f) : speedOf(rows, 0, rows.linearCount, a, b);
+  joint.mostTurning =
+      joint.isRope ? maxOf(rows.coordinateRow.speed(a, b), 0.0f) : speedOf(rows, 0, rows.linearCount, a, b);
   joint.mostAxisTurning = speedOf(rows, rows.linearCount, rows.count, a, b);
 }
 
@@ -117,7 +123,8 @@ void prepareLimits(const Joint& joint, float dt, PreparedJoint& prepared) {
   prepared.active[kUpper] = joint.limited || prepared.isRope;
   prepared.active[kMotor] = joint.motor;
   const float upper = prepared.isRope ? joint.length : joint.upper;
-  // A limit still away allows the speed that just reaches it; one overrun stops the motion, positions are corrected apart.
+  // A limit still away allows the speed that just reaches it; one overrun stops the motion, positions are corrected
+  // apart.
   bounded[kLower].target = -maxOf(x - joint.lower, 0.0f) / dt;
   bounded[kLower].low = 0.0f;
   bounded[kLower].high = kUnbounded;
@@ -129,7 +136,8 @@ void prepareLimits(const Joint& joint, float dt, PreparedJoint& prepared) {
   bounded[kMotor].high = joint.motorLimit * dt;
 }
 
-void prepareBounded(const Joint& joint, float dt, bool warm, const SolverBody& a, const SolverBody& b, PreparedJoint& prepared) {
+void prepareBounded(const Joint& joint, float dt, bool warm, const SolverBody& a, const SolverBody& b,
+                    PreparedJoint& prepared) {
   prepareLimits(joint, dt, prepared);
   prepared.block.factor(prepared.rows.equalities, prepared.rows.count, a, b);
   for (std::uint32_t kind = 0; kind < kBoundedCount; ++kind) {

@@ -8,17 +8,18 @@ namespace brittle::physics {
 
 namespace {
 
-// Acceleration per unit of strength. Chosen by eye: at strength 1 a struck door swings away and is back within a second, at 10 it
-// gives way for a few ticks only.
-constexpr float kPush = 20.0f;   // [m/s2]
-constexpr float kTurn = 40.0f;   // [rad/s2]
+// Acceleration per unit of strength. Chosen by eye: at strength 1 a struck door swings away and is back within a
+// second, at 10 it gives way for a few ticks only.
+constexpr float kPush = 20.0f;  // [m/s2]
+constexpr float kTurn = 40.0f;  // [rad/s2]
 constexpr float kRigid = 100.0f;
 // Closer to its target than this a driven body may sleep.
 constexpr float kNear = 1e-3f;       // [m]
 constexpr float kNearAngle = 5e-3f;  // [rad]
 
-/// The speed from which a body can stop after `distance` when it loses a dt per tick: v^2 + v a dt = 2 a d, since the sum of such
-/// falling steps is the distance. The last step just arrives and may take 9/8 of a dt (v = 3/2 a dt), so a is 8/9 of what there is.
+/// The speed from which a body can stop after `distance` when it loses a dt per tick: v^2 + v a dt = 2 a d, since the
+/// sum of such falling steps is the distance. The last step just arrives and may take 9/8 of a dt (v = 3/2 a dt), so a
+/// is 8/9 of what there is.
 float stoppingSpeed(float distance, float acceleration, float fastest, float dt) {
   float speed = minOf(distance / dt, fastest);
   if (acceleration >= 0.0f) {

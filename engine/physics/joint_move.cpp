@@ -1,5 +1,5 @@
-// Where joints go when the shape that holds their anchor is split. Pieces keep the local frame of their body, so an anchor needs no
-// new coordinates, only a new owner.
+// Where joints go when the shape that holds their anchor is split. Pieces keep the local frame of their body, so an
+// anchor needs no new coordinates, only a new owner.
 #include "engine/physics/joint_move.h"
 
 #include "engine/physics/state.h"
@@ -18,7 +18,8 @@ float anchorDistance(const State& state, const Shape& shape, const Vec3& anchorL
 namespace {
 
 /// The first piece that holds the anchor, else the nearest within `reach` (ties: the first), else null.
-ShapeHandle findOwner(const State& state, const Vec3& anchorLocal, const ShapeHandle* pieces, std::uint32_t count, float reach) {
+ShapeHandle findOwner(const State& state, const Vec3& anchorLocal, const ShapeHandle* pieces, std::uint32_t count,
+                      float reach) {
   ShapeHandle nearest;
   float distance = 0.0f;
   for (std::uint32_t i = 0; i < count; ++i) {

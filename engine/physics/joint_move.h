@@ -1,4 +1,5 @@
-// physics/joint_move.h - how far a joint's anchor is from a shape: who holds it, at creation and after a split. Of the joint files.
+// physics/joint_move.h - how far a joint's anchor is from a shape: who holds it, at creation and after a split. Of the
+// joint files.
 #pragma once
 
 #include "engine/math/types.h"

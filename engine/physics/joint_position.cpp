@@ -1,11 +1,13 @@
-// Pulls jointed bodies together by moving their poses, velocities untouched: what the velocity solver left over never becomes speed.
+// Pulls jointed bodies together by moving their poses, velocities untouched: what the velocity solver left over never
+// becomes speed.
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
 
 namespace {
 
-// The most one pass corrects, so that a joint made apart closes over some ticks instead of flinging its neighbours. Chosen by eye.
+// The most one pass corrects, so that a joint made apart closes over some ticks instead of flinging its neighbours.
+// Chosen by eye.
 constexpr float kMostLinear = 0.2f;   // [m]
 constexpr float kMostAngular = 0.5f;  // [rad]
 
@@ -77,7 +79,8 @@ void JointSolver::correctGroup(State& state, const JointGroup& group) {
   }
   for (std::uint32_t i = 0; i < group.count; ++i) {
     PreparedJoint& joint = moved_[i];
-    correctLimit(state.joints.at(first[i].joint), joint, moves_[joint.bodyA], joint.bodyB == kWorldBody ? world : moves_[joint.bodyB]);
+    correctLimit(state.joints.at(first[i].joint), joint, moves_[joint.bodyA],
+                 joint.bodyB == kWorldBody ? world : moves_[joint.bodyB]);
   }
   for (const PreparedJoint& joint : moved_) {
     displace(state.bodies.at(joint.bodyA), moves_[joint.bodyA]);

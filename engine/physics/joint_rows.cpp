@@ -34,7 +34,8 @@ void lockRotation(JointRows& rows, const Quat& error) {
   for (int i = 0; i < 3; ++i) addAngular(rows, Vec3::Unit(i), angles[i]);
 }
 
-/// The angle about `axis`, in the turn about the middle of the limits so that overshooting one never jumps to the other.
+/// The angle about `axis`, in the turn about the middle of the limits so that overshooting one never jumps to the
+/// other.
 float hingeAngle(const Joint& joint, const Quat& error, const Vec3& axis) {
   float angle = 2.0f * arcTangent(error.vec().dot(axis), error.w());
   const float middle = joint.limited ? 0.5f * (joint.lower + joint.upper) : 0.0f;
@@ -58,7 +59,8 @@ void measureHinge(const Joint& joint, const Quat& a, const Quat& b, JointRows& r
 }
 
 /// B is the rail: A's anchor is seen as a point of B, wherever it has slid to.
-void measureSlider(const Joint& joint, const Transform& poseA, const Transform& poseB, const Vec3& between, JointRows& rows) {
+void measureSlider(const Joint& joint, const Transform& poseA, const Transform& poseB, const Vec3& between,
+                   JointRows& rows) {
   const Vec3 axis = poseB.rotate(joint.localAxisB);
   const Vec3 n1 = perpendicular(axis);
   const Vec3 n2 = axis.cross(n1);

@@ -1,5 +1,6 @@
-// physics/joint_rows.h - a joint as rows of a linear system: what JointSolver prepares once and iterates on. Every row measures a
-// speed of body A relative to body B; an impulse along it acts on A, its opposite on B. Only the joint files use this.
+// physics/joint_rows.h - a joint as rows of a linear system: what JointSolver prepares once and iterates on. Every row
+// measures a speed of body A relative to body B; an impulse along it acts on A, its opposite on B. Only the joint files
+// use this.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +42,8 @@ struct JointRow {
 /// Speed along `row` that a unit impulse along `other` makes. [1/kg or 1/(kg m2)]
 float inverseMassBetween(const JointRow& row, const JointRow& other, const SolverBody& a, const SolverBody& b);
 
-/// Up to six rows that hold exactly, solved together by a factorisation L D L^T of their inverse mass matrix. A row that the ones
-/// before it imply (or that nothing can move) is left out by itself.
+/// Up to six rows that hold exactly, solved together by a factorisation L D L^T of their inverse mass matrix. A row
+/// that the ones before it imply (or that nothing can move) is left out by itself.
 class EqualityBlock {
  public:
   void factor(const JointRow* rows, std::uint32_t count, const SolverBody& a, const SolverBody& b);
@@ -59,10 +60,10 @@ class EqualityBlock {
 /// A joint as it stands: rows, and how far off they are.
 struct JointRows {
   JointRow equalities[kMaxEqualities];
-  float error[kMaxEqualities];        // [m or rad]
+  float error[kMaxEqualities];  // [m or rad]
   std::uint32_t count = 0;
-  std::uint32_t linearCount = 0;      // the linear rows come first
-  bool hasCoordinate = false;         // hinge [rad], slider [m]; rope: the distance of its anchors [m]
+  std::uint32_t linearCount = 0;  // the linear rows come first
+  bool hasCoordinate = false;     // hinge [rad], slider [m]; rope: the distance of its anchors [m]
   JointRow coordinateRow;
   float coordinate = 0.0f;
   Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  // from the centres to the anchors, world [m]
@@ -72,8 +73,8 @@ struct JointRows {
 /// The joint at the poses its bodies have now; slots as in ActiveJoint.
 JointRows measureJoint(const State& state, const Joint& joint, std::uint32_t bodyA, std::uint32_t bodyB);
 
-/// A row with bounds on its impulse: motor, limit or rope. `response` is `row` less what the joint's equalities answer to it, so
-/// that an impulse along it leaves them as they are.
+/// A row with bounds on its impulse: motor, limit or rope. `response` is `row` less what the joint's equalities answer
+/// to it, so that an impulse along it leaves them as they are.
 struct BoundedRow {
   JointRow row, response;
   float answer[kMaxEqualities] = {};  // impulse of each equality for a unit impulse of this row
@@ -82,13 +83,14 @@ struct BoundedRow {
   float low = 0.0f, high = 0.0f;      // of the accumulated impulse [N s or N m s]
   float impulse = 0.0f;               // accumulated
 
-  void prepare(const JointRow& from, const JointRows& rows, const EqualityBlock& block, const SolverBody& a, const SolverBody& b);
+  void prepare(const JointRow& from, const JointRows& rows, const EqualityBlock& block, const SolverBody& a,
+               const SolverBody& b);
 };
 
 enum BoundedKind : std::uint32_t { kLower, kUpper, kMotor, kBoundedCount };  // a rope is an upper limit
 
 struct PreparedJoint {
-  std::uint32_t joint = 0;            // slot
+  std::uint32_t joint = 0;             // slot
   std::uint32_t bodyA = 0, bodyB = 0;  // slots
   JointRows rows;
   EqualityBlock block;
@@ -96,14 +98,14 @@ struct PreparedJoint {
   BoundedRow bounded[kBoundedCount];
   bool active[kBoundedCount] = {};
   bool isRope = false;
-  float mostTurning = 0.0f;           // bounds of the biases, see joint.cpp [m/s]
-  float mostAxisTurning = 0.0f;       // [rad/s]
+  float mostTurning = 0.0f;      // bounds of the biases, see joint.cpp [m/s]
+  float mostAxisTurning = 0.0f;  // [rad/s]
 };
 
 /// A drive on one body, in velocities: the mass cancels.
 struct PreparedDrive {
   BodyHandle body;
-  std::uint32_t drive = 0;            // slot
+  std::uint32_t drive = 0;  // slot
   bool linear = false, angular = false;
   Vec3 target = Vec3::Zero();         // [m/s]
   Vec3 angularTarget = Vec3::Zero();  // [rad/s]
@@ -116,7 +118,7 @@ struct PreparedDrive {
 
 struct AssemblyDrive {
   std::uint32_t assembly = 0;
-  std::uint32_t drive = 0;            // slot
+  std::uint32_t drive = 0;  // slot
   friend bool operator<(const AssemblyDrive& a, const AssemblyDrive& b) {
     return a.assembly != b.assembly ? a.assembly < b.assembly : a.drive < b.drive;
   }

@@ -7,15 +7,17 @@ namespace brittle::physics {
 
 namespace {
 
-// Added to each diagonal entry, relative. Large enough that the rounding of positions (1e-7) in a redundant loop is not taken for
-// stiffness, small enough that one refinement leaves 1 % at a pivot of 1e-3. Derived.
+// Added to each diagonal entry, relative. Large enough that the rounding of positions (1e-7) in a redundant loop is not
+// taken for stiffness, small enough that one refinement leaves 1 % at a pivot of 1e-3. Derived.
 constexpr double kRegularisation = 1e-5;
 
-// Elimination costs up to the cube of a group's rows. Larger ones are cut into groups that the iterations bring together. Chosen:
-// the worst case, all on one body, stays at a few milliseconds.
+// Elimination costs up to the cube of a group's rows. Larger ones are cut into groups that the iterations bring
+// together. Chosen: the worst case, all on one body, stays at a few milliseconds.
 constexpr std::uint32_t kLargestGroup = 24;
 
-bool moves(const SolverBody* bodies, std::uint32_t slot) { return slot != kWorldBody && bodies[slot].invMass > 0.0f; }
+bool moves(const SolverBody* bodies, std::uint32_t slot) {
+  return slot != kWorldBody && bodies[slot].invMass > 0.0f;
+}
 
 bool shareMovingBody(const PreparedJoint& p, const PreparedJoint& q, const SolverBody* bodies) {
   const bool a = moves(bodies, p.bodyA) && (p.bodyA == q.bodyA || p.bodyA == q.bodyB);
@@ -30,15 +32,19 @@ std::uint32_t rootOf(std::uint32_t* roots, std::uint32_t slot) {
   return slot;
 }
 
-double dotDouble(const Vec3& a, const Vec3& b) { return a.cast<double>().dot(b.cast<double>()); }
+double dotDouble(const Vec3& a, const Vec3& b) {
+  return a.cast<double>().dot(b.cast<double>());
+}
 
 /// The part of a matrix entry that comes from one body.
-double coupling(const SolverBody& body, const Vec3& linearP, const Vec3& angularP, const Vec3& linearQ, const Vec3& angularQ) {
+double coupling(const SolverBody& body, const Vec3& linearP, const Vec3& angularP, const Vec3& linearQ,
+                const Vec3& angularQ) {
   const Vec3d turn = body.invInertia.cast<double>() * angularQ.cast<double>();
   return double(body.invMass) * dotDouble(linearP, linearQ) + angularP.cast<double>().dot(turn);
 }
 
-double entry(const PreparedJoint& p, std::uint32_t i, const PreparedJoint& q, std::uint32_t j, const SolverBody* bodies) {
+double entry(const PreparedJoint& p, std::uint32_t i, const PreparedJoint& q, std::uint32_t j,
+             const SolverBody* bodies) {
   const JointRow& a = p.rows.equalities[i];
   const JointRow& b = q.rows.equalities[j];
   double sum = 0.0;
@@ -55,8 +61,8 @@ double entry(const PreparedJoint& p, std::uint32_t i, const PreparedJoint& q, st
 
 }  // namespace
 
-void JointSystem::addJoint(const PreparedJoint* joints, const std::uint32_t* starts, std::uint32_t p, std::uint32_t firstCoupled,
-                           const SolverBody* bodies) {
+void JointSystem::addJoint(const PreparedJoint* joints, const std::uint32_t* starts, std::uint32_t p,
+                           std::uint32_t firstCoupled, const SolverBody* bodies) {
   for (std::uint32_t i = 0; i < joints[p].rows.count; ++i) {
     const std::uint32_t row = starts[p] + i;
     const std::uint32_t first = starts[firstCoupled];
@@ -114,7 +120,8 @@ void JointSystem::solve(double* values) const {
   }
 }
 
-void groupJoints(std::vector<ActiveJoint>& joints, const SolverBody* bodies, std::uint32_t* roots, std::vector<JointGroup>& groups) {
+void groupJoints(std::vector<ActiveJoint>& joints, const SolverBody* bodies, std::uint32_t* roots,
+                 std::vector<JointGroup>& groups) {
   for (const ActiveJoint& joint : joints) {
     roots[joint.bodyA] = joint.bodyA;
     if (joint.bodyB != kWorldBody) roots[joint.bodyB] = joint.bodyB;

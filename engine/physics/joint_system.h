@@ -1,5 +1,5 @@
-// physics/joint_system.h - all equalities of joints that hang together, solved at once: a chain of twenty is as stiff as one joint.
-// Only the joint files use this.
+// physics/joint_system.h - all equalities of joints that hang together, solved at once: a chain of twenty is as stiff
+// as one joint. Only the joint files use this.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,13 @@ struct JointGroup {
 };
 
 /// Sorts joints by group, then by slot. `roots` is scratch, at least as long as there are bodies.
-void groupJoints(std::vector<ActiveJoint>& joints, const SolverBody* bodies, std::uint32_t* roots, std::vector<JointGroup>& groups);
+void groupJoints(std::vector<ActiveJoint>& joints, const SolverBody* bodies, std::uint32_t* roots,
+                 std::vector<JointGroup>& groups);
 
-/// The inverse mass matrix of the rows of some groups, factored as L D L^T within its envelope (each row from its first entry to the
-/// diagonal; elimination fills nothing outside). In double: redundant loops stay harmless by a relative regularisation that the
-/// solver's iterations refine away where the system is sound.
-/// Source: George, Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.
+/// The inverse mass matrix of the rows of some groups, factored as L D L^T within its envelope (each row from its first
+/// entry to the diagonal; elimination fills nothing outside). In double: redundant loops stay harmless by a relative
+/// regularisation that the solver's iterations refine away where the system is sound. Source: George, Liu, Computer
+/// Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.
 class JointSystem {
  public:
   /// `bodies` holds inverse masses by body slot.
@@ -43,12 +44,14 @@ class JointSystem {
   };
   void addJoint(const PreparedJoint* joints, const std::uint32_t* starts, std::uint32_t p, std::uint32_t firstCoupled,
                 const SolverBody* bodies);
-  double& at(std::uint32_t row, std::uint32_t column) { return entries_[rows_[row].offset + (column - rows_[row].first)]; }
+  double& at(std::uint32_t row, std::uint32_t column) {
+    return entries_[rows_[row].offset + (column - rows_[row].first)];
+  }
 
   std::vector<Row> rows_;
-  std::vector<double> entries_;          // without the diagonal
-  std::vector<double> diagonal_;         // then its inverse
-  std::vector<std::uint32_t> starts_;    // first row of each joint
+  std::vector<double> entries_;        // without the diagonal
+  std::vector<double> diagonal_;       // then its inverse
+  std::vector<std::uint32_t> starts_;  // first row of each joint
 };
 
 }  // namespace brittle::physics

@@ -10,7 +10,9 @@ namespace brittle::physics {
 
 namespace {
 
-bool isUnit(float squaredNorm) { return squaredNorm > 0.999f && squaredNorm < 1.001f; }
+bool isUnit(float squaredNorm) {
+  return squaredNorm > 0.999f && squaredNorm < 1.001f;
+}
 
 /// The first rule a definition breaks, or null.
 const char* findError(const State& state, const JointDef& def) {
@@ -20,7 +22,8 @@ const char* findError(const State& state, const JointDef& def) {
   if (!isFinite(def.anchorA) || !isFinite(def.anchorB)) return "JointDef anchors are finite";
   if (!isFinite(def.axis) || !isUnit(def.axis.squaredNorm())) return "JointDef::axis is a unit vector";
   if (!isFinite(def.length)) return "JointDef::length is finite";
-  if (!isFinite(def.lower) || !isFinite(def.upper) || def.lower > def.upper) return "JointDef limits are finite and in order";
+  if (!isFinite(def.lower) || !isFinite(def.upper) || def.lower > def.upper)
+    return "JointDef limits are finite and in order";
   if (def.type == JointType::Hinge && def.limited && (def.lower < -kPi || def.upper > kPi))
     return "hinge limits are within -pi and pi";
   const bool hasCoordinate = def.type == JointType::Hinge || def.type == JointType::Slider;
@@ -44,7 +47,8 @@ bool isRight(const char* error) {
   return !error;
 }
 
-/// Of the shapes of the body of `given`, the one that holds the anchor (ties: `given`, then list order), and how far it is off.
+/// Of the shapes of the body of `given`, the one that holds the anchor (ties: `given`, then list order), and how far it
+/// is off.
 ShapeHandle findHolder(const State& state, ShapeHandle given, const Vec3& anchorLocal, float& gap) {
   ShapeHandle holder = given;
   gap = anchorDistance(state, state.shapes[given], anchorLocal);
@@ -135,8 +139,12 @@ void World::destroyDrive(DriveHandle drive) {
   if (state_->drives.contains(drive)) state_->drives.erase(drive);
 }
 
-bool World::isAlive(JointHandle joint) const { return state_->joints.contains(joint); }
+bool World::isAlive(JointHandle joint) const {
+  return state_->joints.contains(joint);
+}
 
-const Joint& World::joint(JointHandle handle) const { return state_->joints[handle]; }
+const Joint& World::joint(JointHandle handle) const {
+  return state_->joints[handle];
+}
 
 }  // namespace brittle::physics

@@ -21,7 +21,8 @@ int firstPoint(const Vec3& normal, float band, const std::vector<Candidate>& can
 }
 
 /// The candidate farthest from its nearest kept one, of those up to `limit`; -1 if all are within `band` of a kept one.
-int farthestFrom(const Candidate* kept, int keptCount, float limit, float band, const std::vector<Candidate>& candidates) {
+int farthestFrom(const Candidate* kept, int keptCount, float limit, float band,
+                 const std::vector<Candidate>& candidates) {
   int best = -1;
   float farthest = band * band;
   for (int i = 0; i < static_cast<int>(candidates.size()); ++i) {
@@ -59,7 +60,8 @@ void keepImpulses(const ManifoldPoint* old, int oldCount, float radius, Manifold
     float best = radius * radius;
     for (int k = 0; k < oldCount; ++k) {
       if (used[k]) continue;
-      const float squared = minOf((old[k].localA - point.localA).squaredNorm(), (old[k].localB - point.localB).squaredNorm());
+      const float squared =
+          minOf((old[k].localA - point.localA).squaredNorm(), (old[k].localB - point.localB).squaredNorm());
       if (squared >= best) continue;
       best = squared;
       nearest = k;

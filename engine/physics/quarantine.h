@@ -1,5 +1,5 @@
-// physics/quarantine.h - a body with a number in it that is not finite is taken out before anything reads it, so that one bad
-// number never spreads.
+// physics/quarantine.h - a body with a number in it that is not finite is taken out before anything reads it, so that
+// one bad number never spreads.
 #pragma once
 
 #include "engine/physics/state.h"

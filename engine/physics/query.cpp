@@ -11,8 +11,8 @@ namespace {
 constexpr float kLongestTick = 1.0f / 20.0f;  // [s]
 constexpr float kPushed = 0.05f;              // the most that pushing overlaps apart moves a body in a tick [m]
 
-/// How far a shape may be outside of its box in the tree [m]. The tree is brought up to date when a tick begins; after it bodies
-/// have moved with the velocities they have now.
+/// How far a shape may be outside of its box in the tree [m]. The tree is brought up to date when a tick begins; after
+/// it bodies have moved with the velocities they have now.
 float staleness(const State& state) {
   float stale = 0.0f;
   state.bodies.forEach([&](BodyHandle, const Body& body) {
@@ -40,11 +40,15 @@ void forEachNear(const State& state, const Aabb& box, std::uint32_t mask, const 
 
 /// Keeps the nearer hit; of equals the lower slot, whatever the order of the tree.
 void keepNearer(RayResult& best, const RayResult& hit) {
-  if (hit.fraction < best.fraction || !best.hit || (hit.fraction == best.fraction && hit.shape.index < best.shape.index)) best = hit;
+  if (hit.fraction < best.fraction || !best.hit ||
+      (hit.fraction == best.fraction && hit.shape.index < best.shape.index))
+    best = hit;
 }
 
 /// The tree may only stop looking beyond the best hit, not at it: an equal one of a lower slot counts.
-float cutOff(const RayResult& best) { return best.hit ? minOf(1.0f, best.fraction * 1.00001f + 1e-6f) : 1.0f; }
+float cutOff(const RayResult& best) {
+  return best.hit ? minOf(1.0f, best.fraction * 1.00001f + 1e-6f) : 1.0f;
+}
 
 }  // namespace
 
@@ -55,7 +59,8 @@ RayResult World::castRay(const Vec3& from, const Vec3& to, std::uint32_t mask) c
     const Shape& shape = s.shapes.at(slot);
     if ((shape.surface.category & mask) == 0) return 1.0f;
     const geometry::RayHit hit = geometry::castRay(proxyOf(shape, s.meshes), s.bodyOf(shape).pose, from, to);
-    if (hit.hit) keepNearer(best, {true, s.shapes.handleAt(slot), from + (to - from) * hit.fraction, hit.normal, hit.fraction});
+    if (hit.hit)
+      keepNearer(best, {true, s.shapes.handleAt(slot), from + (to - from) * hit.fraction, hit.normal, hit.fraction});
     return cutOff(best);
   };
   s.tree.castRay(from, to, test, staleness(s));
@@ -83,7 +88,8 @@ RayResult World::castSphere(const Vec3& from, const Vec3& to, float radius, std:
   return best;
 }
 
-void World::overlapSphere(const Vec3& center, float radius, std::uint32_t mask, const std::function<bool(ShapeHandle)>& visit) const {
+void World::overlapSphere(const Vec3& center, float radius, std::uint32_t mask,
+                          const std::function<bool(ShapeHandle)>& visit) const {
   const geometry::Proxy ball{{}, Vec3::Zero(), radius};
   const Transform pose{center, Quat::Identity()};
   const Aabb box{center - Vec3::Constant(radius), center + Vec3::Constant(radius)};

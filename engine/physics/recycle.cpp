@@ -38,7 +38,9 @@ void wakeAfterLoss(Body& body) {
   if (body.isDynamic() && !body.awake) body.wake();
 }
 
-bool isPiece(const Body& body) { return body.isDynamic() && bool(body.striker); }
+bool isPiece(const Body& body) {
+  return body.isDynamic() && bool(body.striker);
+}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Saving, restoring and hashing a world, all three by one description, so that they cannot cover different things. The hash takes the
-// hash of each mesh in place of its vertices and leaves out the buffers they lie in.
+// Saving, restoring and hashing a world, all three by one description, so that they cannot cover different things. The
+// hash takes the hash of each mesh in place of its vertices and leaves out the buffers they lie in.
 #include "engine/physics/edit.h"
 #include "engine/physics/state_error.h"
 #include "engine/physics/world.h"

@@ -5,14 +5,15 @@
 
 namespace brittle::physics {
 
-/// Indexed by body slot. Static and animated bodies have zero inverse mass and inertia: writing their velocity is harmless.
+/// Indexed by body slot. Static and animated bodies have zero inverse mass and inertia: writing their velocity is
+/// harmless.
 struct SolverBody {
   Vec3 velocity = Vec3::Zero();         // [m/s]
   float invMass = 0.0f;                 // [1/kg]
   Vec3 angularVelocity = Vec3::Zero();  // [rad/s]
   float pad = 0.0f;
-  Mat3 invInertia = Mat3::Zero();       // world [1/(kg m2)]
-  Vec3 center = Vec3::Zero();           // world [m]
+  Mat3 invInertia = Mat3::Zero();  // world [1/(kg m2)]
+  Vec3 center = Vec3::Zero();      // world [m]
 
   void applyImpulse(const Vec3& impulse, const Vec3& arm) {
     velocity += impulse * invMass;

@@ -4,18 +4,42 @@
 
 namespace brittle::physics {
 
-bool World::isAlive(BodyHandle body) const { return state_->bodies.contains(body); }
-bool World::isAlive(ShapeHandle shape) const { return state_->shapes.contains(shape); }
-const Body& World::body(BodyHandle handle) const { return state_->bodies[handle]; }
-const Shape& World::shape(ShapeHandle handle) const { return state_->shapes[handle]; }
-BodyHandle World::bodyOf(ShapeHandle shape) const { return state_->shapes[shape].body; }
-const geometry::MeshPool& World::meshes() const { return state_->meshes; }
-geometry::MeshPool& World::meshes() { return state_->meshes; }
-const Debris& World::debris() const { return state_->debris; }
-const Events& World::events() const { return state_->events; }
-const Counters& World::counters() const { return state_->counters; }
-std::int32_t World::tick() const { return state_->tick; }
-const Accuracy& World::accuracy() const { return state_->accuracy; }
+bool World::isAlive(BodyHandle body) const {
+  return state_->bodies.contains(body);
+}
+bool World::isAlive(ShapeHandle shape) const {
+  return state_->shapes.contains(shape);
+}
+const Body& World::body(BodyHandle handle) const {
+  return state_->bodies[handle];
+}
+const Shape& World::shape(ShapeHandle handle) const {
+  return state_->shapes[handle];
+}
+BodyHandle World::bodyOf(ShapeHandle shape) const {
+  return state_->shapes[shape].body;
+}
+const geometry::MeshPool& World::meshes() const {
+  return state_->meshes;
+}
+geometry::MeshPool& World::meshes() {
+  return state_->meshes;
+}
+const Debris& World::debris() const {
+  return state_->debris;
+}
+const Events& World::events() const {
+  return state_->events;
+}
+const Counters& World::counters() const {
+  return state_->counters;
+}
+std::int32_t World::tick() const {
+  return state_->tick;
+}
+const Accuracy& World::accuracy() const {
+  return state_->accuracy;
+}
 
 void World::forEachBody(const std::function<void(BodyHandle, const Body&)>& visit) const {
   static_cast<const State&>(*state_).bodies.forEach(visit);

@@ -13,8 +13,12 @@ namespace {
 
 constexpr float kFarthest = 1e5f;  // [m] from the origin: beyond, single precision is no use
 
-bool isPlace(const Vec3& v) { return isFinite(v) && v.cwiseAbs().maxCoeff() <= kFarthest; }
-bool isRotation(const Quat& q) { return isFinite(q) && q.norm() > 0.9f && q.norm() < 1.1f; }
+bool isPlace(const Vec3& v) {
+  return isFinite(v) && v.cwiseAbs().maxCoeff() <= kFarthest;
+}
+bool isRotation(const Quat& q) {
+  return isFinite(q) && q.norm() > 0.9f && q.norm() < 1.1f;
+}
 
 void checkSurface(const Surface& surface) {
   BR_ASSERT(isFinite(surface.density) && surface.density > 0.0f);
@@ -89,11 +93,14 @@ void World::removeShape(ShapeHandle shape) {
 }
 
 void World::destroyBody(BodyHandle body) {
-  forEachShape(*state_, state_->bodies[body], [&](ShapeHandle shape, const Shape&) { moveJoints(*state_, shape, nullptr, 0, 0.0f); });
+  forEachShape(*state_, state_->bodies[body],
+               [&](ShapeHandle shape, const Shape&) { moveJoints(*state_, shape, nullptr, 0, 0.0f); });
   dropBody(*state_, body);
 }
 
-std::uint32_t World::anchor(BodyHandle body) { return findAnchors(*state_, body); }
+std::uint32_t World::anchor(BodyHandle body) {
+  return findAnchors(*state_, body);
+}
 
 void World::animate(std::uint32_t assembly, const Transform& target) {
   BR_ASSERT(isPlace(target.position) && isRotation(target.rotation));
@@ -133,8 +140,8 @@ void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
   State& state = *state_;
   Body& body = state.bodies[handle];
   if (body.breaking.strength != breakable.strength) {
-    // Who has spent a part of the old strength has spent the same part of the new one, or a load that rests on a body that is made
-    // weaker would have paid already and pass; and what sleeps on it must find out.
+    // Who has spent a part of the old strength has spent the same part of the new one, or a load that rests on a body
+    // that is made weaker would have paid already and pass; and what sleeps on it must find out.
     const float ratio = body.breaking.strength > 0.0f ? breakable.strength / body.breaking.strength : 0.0f;
     for (Budget& budget : state.budgets)
       if (budget.struck == handle) budget.spent *= ratio;
@@ -158,11 +165,14 @@ void World::applyImpulse(BodyHandle handle, const Vec3& impulse, const Vec3& poi
   body.angularVelocity += body.invInertia * (point - body.center).cross(impulse);
 }
 
-void World::wake(BodyHandle body) { wakeBody(*state_, body); }
+void World::wake(BodyHandle body) {
+  wakeBody(*state_, body);
+}
 
 void World::breakBody(BodyHandle handle, const Vec3& point, const Vec3& direction, float speed, float radius) {
   const Body& body = state_->bodies[handle];
-  const fracture::Impact impact{body.pose.toLocal(point), body.pose.unrotate(normalizedOr(direction, -Vec3::UnitZ())), speed, radius};
+  const fracture::Impact impact{body.pose.toLocal(point), body.pose.unrotate(normalizedOr(direction, -Vec3::UnitZ())),
+                                speed, radius};
   physics::breakBody(*state_, handle, &impact, 1, {});
 }
 

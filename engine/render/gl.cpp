@@ -26,7 +26,7 @@ Version parseVersion(const char* text) {
 
 Result<Gl> loadGl(GlLoader loader) {
   Gl gl;
-#define BR_GL_LOAD(name, type)                         \
+#define BR_GL_LOAD(name, type)                          \
   gl.name = reinterpret_cast<type>(loader("gl" #name)); \
   if (gl.name == nullptr) return Error{"the GL context lacks gl" #name ": GLES 3.0 is needed"};
   BR_GL_FUNCTIONS(BR_GL_LOAD)
@@ -46,13 +46,20 @@ Result<Gl> loadGl(GlLoader loader) {
 
 std::string glErrorName(GLenum error) {
   switch (error) {
-    case GL_NO_ERROR: return "no error";
-    case GL_INVALID_ENUM: return "invalid enum";
-    case GL_INVALID_VALUE: return "invalid value";
-    case GL_INVALID_OPERATION: return "invalid operation";
-    case GL_INVALID_FRAMEBUFFER_OPERATION: return "incomplete framebuffer";
-    case GL_OUT_OF_MEMORY: return "out of memory";
-    default: return "GL error " + std::to_string(error);
+    case GL_NO_ERROR:
+      return "no error";
+    case GL_INVALID_ENUM:
+      return "invalid enum";
+    case GL_INVALID_VALUE:
+      return "invalid value";
+    case GL_INVALID_OPERATION:
+      return "invalid operation";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "incomplete framebuffer";
+    case GL_OUT_OF_MEMORY:
+      return "out of memory";
+    default:
+      return "GL error " + std::to_string(error);
   }
 }
 

@@ -1,5 +1,5 @@
-// render/gl.h - the GL functions we use, as a table filled through a callback: nothing links against a GL library, and a null table
-// can stand in for a driver. Only this folder calls GL.
+// render/gl.h - the GL functions we use, as a table filled through a callback: nothing links against a GL library, and
+// a null table can stand in for a driver. Only this folder calls GL.
 #pragma once
 
 #ifndef GL_GLES_PROTOTYPES
@@ -12,74 +12,74 @@
 #include "engine/core/result.h"
 
 // name, type: every function of the table.
-#define BR_GL_FUNCTIONS(X)                                   \
-  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                   \
-  X(AttachShader, PFNGLATTACHSHADERPROC)                     \
-  X(BindBuffer, PFNGLBINDBUFFERPROC)                         \
-  X(BindBufferBase, PFNGLBINDBUFFERBASEPROC)                 \
-  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)               \
-  X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)             \
-  X(BindTexture, PFNGLBINDTEXTUREPROC)                       \
-  X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)               \
-  X(BlendFunc, PFNGLBLENDFUNCPROC)                           \
-  X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)               \
-  X(BufferData, PFNGLBUFFERDATAPROC)                         \
-  X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                   \
-  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC) \
-  X(Clear, PFNGLCLEARPROC)                                   \
-  X(CompileShader, PFNGLCOMPILESHADERPROC)                   \
-  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                   \
-  X(CreateShader, PFNGLCREATESHADERPROC)                     \
-  X(CullFace, PFNGLCULLFACEPROC)                             \
-  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                   \
-  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)         \
-  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                   \
-  X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)       \
-  X(DeleteShader, PFNGLDELETESHADERPROC)                     \
-  X(DeleteTextures, PFNGLDELETETEXTURESPROC)                 \
-  X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)         \
-  X(DepthFunc, PFNGLDEPTHFUNCPROC)                           \
-  X(DepthMask, PFNGLDEPTHMASKPROC)                           \
-  X(Disable, PFNGLDISABLEPROC)                               \
-  X(DrawArrays, PFNGLDRAWARRAYSPROC)                         \
-  X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)       \
-  X(DrawElements, PFNGLDRAWELEMENTSPROC)                     \
-  X(DrawElementsInstanced, PFNGLDRAWELEMENTSINSTANCEDPROC)   \
-  X(Enable, PFNGLENABLEPROC)                                 \
-  X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
-  X(Finish, PFNGLFINISHPROC)                                 \
-  X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC) \
-  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)     \
-  X(GenBuffers, PFNGLGENBUFFERSPROC)                         \
-  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)               \
-  X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)             \
-  X(GenTextures, PFNGLGENTEXTURESPROC)                       \
-  X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)               \
-  X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                 \
-  X(GetError, PFNGLGETERRORPROC)                             \
-  X(GetIntegerv, PFNGLGETINTEGERVPROC)                       \
-  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)           \
-  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                     \
-  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)             \
-  X(GetShaderiv, PFNGLGETSHADERIVPROC)                       \
-  X(GetString, PFNGLGETSTRINGPROC)                           \
-  X(GetUniformBlockIndex, PFNGLGETUNIFORMBLOCKINDEXPROC)     \
-  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)         \
-  X(LinkProgram, PFNGLLINKPROGRAMPROC)                       \
-  X(PixelStorei, PFNGLPIXELSTOREIPROC)                       \
-  X(ReadPixels, PFNGLREADPIXELSPROC)                         \
+#define BR_GL_FUNCTIONS(X)                                                   \
+  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                   \
+  X(AttachShader, PFNGLATTACHSHADERPROC)                                     \
+  X(BindBuffer, PFNGLBINDBUFFERPROC)                                         \
+  X(BindBufferBase, PFNGLBINDBUFFERBASEPROC)                                 \
+  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                               \
+  X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                             \
+  X(BindTexture, PFNGLBINDTEXTUREPROC)                                       \
+  X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                               \
+  X(BlendFunc, PFNGLBLENDFUNCPROC)                                           \
+  X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                               \
+  X(BufferData, PFNGLBUFFERDATAPROC)                                         \
+  X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                                   \
+  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                 \
+  X(Clear, PFNGLCLEARPROC)                                                   \
+  X(CompileShader, PFNGLCOMPILESHADERPROC)                                   \
+  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                   \
+  X(CreateShader, PFNGLCREATESHADERPROC)                                     \
+  X(CullFace, PFNGLCULLFACEPROC)                                             \
+  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                                   \
+  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)                         \
+  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                                   \
+  X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)                       \
+  X(DeleteShader, PFNGLDELETESHADERPROC)                                     \
+  X(DeleteTextures, PFNGLDELETETEXTURESPROC)                                 \
+  X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                         \
+  X(DepthFunc, PFNGLDEPTHFUNCPROC)                                           \
+  X(DepthMask, PFNGLDEPTHMASKPROC)                                           \
+  X(Disable, PFNGLDISABLEPROC)                                               \
+  X(DrawArrays, PFNGLDRAWARRAYSPROC)                                         \
+  X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)                       \
+  X(DrawElements, PFNGLDRAWELEMENTSPROC)                                     \
+  X(DrawElementsInstanced, PFNGLDRAWELEMENTSINSTANCEDPROC)                   \
+  X(Enable, PFNGLENABLEPROC)                                                 \
+  X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)               \
+  X(Finish, PFNGLFINISHPROC)                                                 \
+  X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)               \
+  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                     \
+  X(GenBuffers, PFNGLGENBUFFERSPROC)                                         \
+  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                               \
+  X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                             \
+  X(GenTextures, PFNGLGENTEXTURESPROC)                                       \
+  X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                               \
+  X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                                 \
+  X(GetError, PFNGLGETERRORPROC)                                             \
+  X(GetIntegerv, PFNGLGETINTEGERVPROC)                                       \
+  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                           \
+  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                     \
+  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                             \
+  X(GetShaderiv, PFNGLGETSHADERIVPROC)                                       \
+  X(GetString, PFNGLGETSTRINGPROC)                                           \
+  X(GetUniformBlockIndex, PFNGLGETUNIFORMBLOCKINDEXPROC)                     \
+  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)                         \
+  X(LinkProgram, PFNGLLINKPROGRAMPROC)                                       \
+  X(PixelStorei, PFNGLPIXELSTOREIPROC)                                       \
+  X(ReadPixels, PFNGLREADPIXELSPROC)                                         \
   X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC) \
-  X(ShaderSource, PFNGLSHADERSOURCEPROC)                     \
-  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                   \
-  X(TexStorage2D, PFNGLTEXSTORAGE2DPROC)                     \
-  X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                   \
-  X(Uniform1i, PFNGLUNIFORM1IPROC)                           \
-  X(Uniform4f, PFNGLUNIFORM4FPROC)                           \
-  X(UniformBlockBinding, PFNGLUNIFORMBLOCKBINDINGPROC)       \
-  X(UseProgram, PFNGLUSEPROGRAMPROC)                         \
-  X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)       \
-  X(VertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC)     \
-  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)       \
+  X(ShaderSource, PFNGLSHADERSOURCEPROC)                                     \
+  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                   \
+  X(TexStorage2D, PFNGLTEXSTORAGE2DPROC)                                     \
+  X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                   \
+  X(Uniform1i, PFNGLUNIFORM1IPROC)                                           \
+  X(Uniform4f, PFNGLUNIFORM4FPROC)                                           \
+  X(UniformBlockBinding, PFNGLUNIFORMBLOCKBINDINGPROC)                       \
+  X(UseProgram, PFNGLUSEPROGRAMPROC)                                         \
+  X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)                       \
+  X(VertexAttribIPointer, PFNGLVERTEXATTRIBIPOINTERPROC)                     \
+  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                       \
   X(Viewport, PFNGLVIEWPORTPROC)
 
 namespace brittle::render {
@@ -98,8 +98,9 @@ class Gl {
   std::string description;
 };
 
-/// Fills the table from the context that is current. Fails naming the first missing function, or the version when it is below GLES 3.0
-/// (a desktop core context must offer GLES 3 shaders). Desktop contexts are set to behave like GLES: sRGB framebuffers are written encoded.
+/// Fills the table from the context that is current. Fails naming the first missing function, or the version when it is
+/// below GLES 3.0 (a desktop core context must offer GLES 3 shaders). Desktop contexts are set to behave like GLES:
+/// sRGB framebuffers are written encoded.
 Result<Gl> loadGl(GlLoader loader);
 
 /// The name of a glGetError value.

@@ -64,8 +64,12 @@ struct NullFunctions {
       if (self().textures_.count(texture) == 0) texture = 0;
     }
   }
-  static void DeleteFramebuffers(GLsizei n, const GLuint* names) { remove(self().framebuffers_, "framebuffer", n, names); }
-  static void DeleteRenderbuffers(GLsizei n, const GLuint* names) { remove(self().renderbuffers_, "renderbuffer", n, names); }
+  static void DeleteFramebuffers(GLsizei n, const GLuint* names) {
+    remove(self().framebuffers_, "framebuffer", n, names);
+  }
+  static void DeleteRenderbuffers(GLsizei n, const GLuint* names) {
+    remove(self().renderbuffers_, "renderbuffer", n, names);
+  }
   static void DeleteVertexArrays(GLsizei n, const GLuint* names) { remove(self().arrays_, "vertex array", n, names); }
 
   static GLuint CreateShader(GLenum) {
@@ -151,7 +155,8 @@ struct NullFunctions {
     if (texture->width != 0) self().complain("TexStorage2D on a texture that has storage already: it cannot change");
     *texture = {width, height};
   }
-  static void TexSubImage2D(GLenum, GLint, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum, const void*) {
+  static void TexSubImage2D(GLenum, GLint, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
+                            const void*) {
     const NullGl::Texture* texture = boundTexture("TexSubImage2D");
     if (texture != nullptr && (x + width > texture->width || y + height > texture->height)) {
       self().complain("TexSubImage2D beyond the texture's " + std::to_string(texture->width) + " x " +
@@ -166,7 +171,9 @@ struct NullFunctions {
     (isDepth ? framebuffer.hasDepth : framebuffer.hasColor) = true;
     (isDepth ? framebuffer.depthTexture : framebuffer.colorTexture) = texture;
   }
-  static void FramebufferTexture2D(GLenum, GLenum attachment, GLenum, GLuint texture, GLint) { attach(attachment, texture); }
+  static void FramebufferTexture2D(GLenum, GLenum attachment, GLenum, GLuint texture, GLint) {
+    attach(attachment, texture);
+  }
   static void FramebufferRenderbuffer(GLenum, GLenum attachment, GLenum, GLuint) { attach(attachment, 0); }
   static GLenum CheckFramebufferStatus(GLenum) { return GL_FRAMEBUFFER_COMPLETE; }
   static void BlitFramebuffer(GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum) {
@@ -183,7 +190,9 @@ struct NullFunctions {
   static GLuint GetUniformBlockIndex(GLuint, const GLchar*) { return 0; }
 
   static void DrawArrays(GLenum, GLint, GLsizei count) { self().checkDraw(count, 1); }
-  static void DrawArraysInstanced(GLenum, GLint, GLsizei count, GLsizei instances) { self().checkDraw(count, instances); }
+  static void DrawArraysInstanced(GLenum, GLint, GLsizei count, GLsizei instances) {
+    self().checkDraw(count, instances);
+  }
   static void DrawElements(GLenum, GLsizei count, GLenum type, const void* offset) {
     self().checkIndices(count, type, reinterpret_cast<std::uintptr_t>(offset));
     self().checkDraw(count, 1);
@@ -222,21 +231,26 @@ NullGl::NullGl() {
   BR_GL_FUNCTIONS(BR_GL_COUNT)
 #undef BR_GL_COUNT
 #define BR_GL_ANSWER(name) Counter<decltype(table_.name), k##name>::next = NullFunctions::name;
-#define BR_GL_ANSWERED(X)                                                                                                    \
-  X(GenBuffers) X(GenTextures) X(GenFramebuffers) X(GenRenderbuffers) X(GenVertexArrays) X(DeleteBuffers)                     \
-  X(DeleteTextures) X(DeleteFramebuffers) X(DeleteRenderbuffers) X(DeleteVertexArrays) X(CreateShader) X(CompileShader)       \
-  X(GetShaderiv) X(GetShaderInfoLog) X(DeleteShader) X(CreateProgram) X(GetProgramiv) X(DeleteProgram) X(UseProgram)          \
-  X(GetUniformLocation) X(Uniform1i) X(Uniform4f) X(BindBuffer) X(BindVertexArray) X(ActiveTexture) X(BindTexture)            \
-  X(BindRenderbuffer) X(BindFramebuffer) X(BufferData) X(BufferSubData) X(TexStorage2D) X(TexSubImage2D)                      \
-  X(FramebufferTexture2D) X(FramebufferRenderbuffer) X(CheckFramebufferStatus) X(BlitFramebuffer) X(Viewport) X(ReadPixels)   \
-  X(GetString) X(GetUniformBlockIndex) X(DrawArrays) X(DrawArraysInstanced) X(DrawElements) X(DrawElementsInstanced)
+#define BR_GL_ANSWERED(X)                                                                                             \
+  X(GenBuffers)                                                                                                       \
+  X(GenTextures) X(GenFramebuffers) X(GenRenderbuffers) X(GenVertexArrays) X(DeleteBuffers) X(DeleteTextures)         \
+      X(DeleteFramebuffers) X(DeleteRenderbuffers) X(DeleteVertexArrays) X(CreateShader) X(CompileShader)             \
+          X(GetShaderiv) X(GetShaderInfoLog) X(DeleteShader) X(CreateProgram) X(GetProgramiv) X(DeleteProgram)        \
+              X(UseProgram) X(GetUniformLocation) X(Uniform1i) X(Uniform4f) X(BindBuffer) X(BindVertexArray)          \
+                  X(ActiveTexture) X(BindTexture) X(BindRenderbuffer) X(BindFramebuffer) X(BufferData)                \
+                      X(BufferSubData) X(TexStorage2D) X(TexSubImage2D) X(FramebufferTexture2D)                       \
+                          X(FramebufferRenderbuffer) X(CheckFramebufferStatus) X(BlitFramebuffer) X(Viewport)         \
+                              X(ReadPixels) X(GetString) X(GetUniformBlockIndex) X(DrawArrays) X(DrawArraysInstanced) \
+                                  X(DrawElements) X(DrawElementsInstanced)
   BR_GL_ANSWERED(BR_GL_ANSWER)
 #undef BR_GL_ANSWERED
 #undef BR_GL_ANSWER
   table_.description = "null";
 }
 
-NullGl::~NullGl() { current = nullptr; }
+NullGl::~NullGl() {
+  current = nullptr;
+}
 
 void* NullGl::find(const char* name) {
   BR_ASSERT(current != nullptr);
@@ -288,8 +302,8 @@ std::uint64_t NullGl::bytesTo(GLenum target) const {
 
 std::size_t NullGl::liveObjects() const {
   // arrays_[0] may exist: it stands for "no vertex array".
-  return buffers_.size() + textures_.size() + framebuffers_.size() + renderbuffers_.size() + arrays_.size() - arrays_.count(0) +
-         shaders_.size() + programs_.size();
+  return buffers_.size() + textures_.size() + framebuffers_.size() + renderbuffers_.size() + arrays_.size() -
+         arrays_.count(0) + shaders_.size() + programs_.size();
 }
 
 void NullGl::clearRecord() {

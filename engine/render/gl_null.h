@@ -1,5 +1,5 @@
-// render/gl_null.h - a GL without a driver: the whole table, recording what it is asked and answering as if all went well. Tests of the
-// renderer run on it, and every misuse it can tell gives one sentence.
+// render/gl_null.h - a GL without a driver: the whole table, recording what it is asked and answering as if all went
+// well. Tests of the renderer run on it, and every misuse it can tell gives one sentence.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class NullGl {
  public:
   struct Draw {
     GLuint program = 0;
-    GLsizei vertices = 0;   // or indices
+    GLsizei vertices = 0;  // or indices
     GLsizei instances = 1;
     GLuint framebuffer = 0;
   };

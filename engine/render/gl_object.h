@@ -1,5 +1,5 @@
-// render/gl_object.h - owners of GL names: made on construction, deleted with their holder. They hold a pointer to the table, which
-// must outlive them, and nothing else.
+// render/gl_object.h - owners of GL names: made on construction, deleted with their holder. They hold a pointer to the
+// table, which must outlive them, and nothing else.
 #pragma once
 
 #include <cstddef>
@@ -72,7 +72,8 @@ void attach(const Gl& gl, GLuint buffer, GLsizei stride, const List& attributes,
   }
 }
 
-/// Replaces a buffer's contents by this frame's data; the driver may give it new memory, so nothing waits for the last frame.
+/// Replaces a buffer's contents by this frame's data; the driver may give it new memory, so nothing waits for the last
+/// frame.
 template <class T>
 void stream(const Gl& gl, GLenum target, GLuint buffer, const T& data) {
   gl.BindBuffer(target, buffer);

@@ -1,4 +1,5 @@
-// render/material.h - how surfaces look: one entry per draw material. The game picks entries by index; only the shaders read them.
+// render/material.h - how surfaces look: one entry per draw material. The game picks entries by index; only the shaders
+// read them.
 #pragma once
 
 #include <cstdint>

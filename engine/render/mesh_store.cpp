@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kTexelsPerRow = 1024;
 constexpr std::size_t kWordsPerRow = 4 * kTexelsPerRow;
-// Two dirty ranges this close go up in one call: a call costs more than the bytes between them. Chosen by eye. [vertices]
+// Two dirty ranges this close go up in one call: a call costs more than the bytes between them. Chosen by eye.
+// [vertices]
 constexpr std::uint32_t kMergeGap = 64;
 
 static_assert(sizeof(geometry::Vertex) == 24, "the vertex layout below");
@@ -35,8 +36,8 @@ void TableTexture::grow(std::size_t rows) {
   while (height < rows) height *= 2;
   texture_ = GlTexture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, texture_.name());
-  gl_.TexStorage2D(GL_TEXTURE_2D, 1, kind_ == Kind::Float ? GL_RGBA32F : GL_RGBA32UI, static_cast<GLsizei>(kTexelsPerRow),
-                   static_cast<GLsizei>(height));
+  gl_.TexStorage2D(GL_TEXTURE_2D, 1, kind_ == Kind::Float ? GL_RGBA32F : GL_RGBA32UI,
+                   static_cast<GLsizei>(kTexelsPerRow), static_cast<GLsizei>(height));
   setNearest(gl_);
   uploaded_.clear();
   uploaded_.resize(height * kWordsPerRow, 0xffffffffu);  // differs from anything real, so all rows go up
@@ -53,7 +54,8 @@ std::uint32_t TableTexture::upload(std::vector<std::uint32_t>& words) {
     if (std::memcmp(from, &uploaded_[row * kWordsPerRow], kWordsPerRow * 4) == 0) continue;
     std::memcpy(&uploaded_[row * kWordsPerRow], from, kWordsPerRow * 4);
     gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(kTexelsPerRow), 1,
-                      kind_ == Kind::Float ? GL_RGBA : GL_RGBA_INTEGER, kind_ == Kind::Float ? GL_FLOAT : GL_UNSIGNED_INT, from);
+                      kind_ == Kind::Float ? GL_RGBA : GL_RGBA_INTEGER,
+                      kind_ == Kind::Float ? GL_FLOAT : GL_UNSIGNED_INT, from);
     ++count;
   }
   return count;
@@ -83,7 +85,8 @@ MeshStore::MeshStore(const Gl& gl)
 
 void MeshStore::reallocate(const geometry::MeshPool& pool) {
   capacity_ = maxOf(pool.vertices().size() + pool.vertices().size() / 2, std::size_t{1024});
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_ * sizeof(geometry::Vertex)), nullptr, GL_DYNAMIC_DRAW);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_ * sizeof(geometry::Vertex)), nullptr,
+                 GL_DYNAMIC_DRAW);
 }
 
 std::uint32_t MeshStore::syncVertices(geometry::MeshPool& pool) {
@@ -119,7 +122,8 @@ void MeshStore::syncTables(const MeshGroup& group) {
   bodyWords_.clear();
   for (const Transform& body : group.bodies) {
     const Quat& q = body.rotation;
-    for (const float value : {body.position.x(), body.position.y(), body.position.z(), 0.0f, q.x(), q.y(), q.z(), q.w()}) {
+    for (const float value :
+         {body.position.x(), body.position.y(), body.position.z(), 0.0f, q.x(), q.y(), q.z(), q.w()}) {
       bodyWords_.push_back(wordOf(value));
     }
   }

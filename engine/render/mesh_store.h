@@ -1,5 +1,5 @@
-// render/mesh_store.h - the GPU's mirror of the mesh pool (vertices), and of what moves and colours it (body and shape textures).
-// Only what changed is uploaded. Knows the pool and GL, not scenes.
+// render/mesh_store.h - the GPU's mirror of the mesh pool (vertices), and of what moves and colours it (body and shape
+// textures). Only what changed is uploaded. Knows the pool and GL, not scenes.
 #pragma once
 
 #include <array>

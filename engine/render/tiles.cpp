@@ -16,11 +16,14 @@ float toLine(float x, float lines) {
   return minOf(f, 1.0f - f) / lines;
 }
 
-float groove(float distance, float width) { return clampTo(distance / width, 0.0f, 1.0f); }
+float groove(float distance, float width) {
+  return clampTo(distance / width, 0.0f, 1.0f);
+}
 
 /// Repeatable noise in [0, 1] on a grid of `cells` a unit.
 float speckle(float x, float y, int cells, int seed) {
-  std::uint32_t h = static_cast<std::uint32_t>(seed) * 0x9e3779b9u + static_cast<std::uint32_t>(x * static_cast<float>(cells)) * 0x85ebca6bu +
+  std::uint32_t h = static_cast<std::uint32_t>(seed) * 0x9e3779b9u +
+                    static_cast<std::uint32_t>(x * static_cast<float>(cells)) * 0x85ebca6bu +
                     static_cast<std::uint32_t>(y * static_cast<float>(cells)) * 0xc2b2ae35u;
   h = (h ^ h >> 15) * 0x2c1b3c6du;
   h = (h ^ h >> 12) * 0x297a2d39u;
@@ -37,14 +40,22 @@ float bricks(float x, float y, int rows) {
 float pattern(int family, int variant, float x, float y) {
   const float n = static_cast<float>(variant + 1);
   switch (family) {
-    case 0: return variant == 0 ? 1.0f : 1.0f - 0.2f * speckle(x, y, 16 << (variant % 3), variant);       // plain, grain
-    case 1: return minOf(groove(toLine(x, n), 0.02f), groove(toLine(y, n), 0.02f));                          // panels
-    case 2: return groove(toLine(y, n), 0.03f);                                                              // planks across
-    case 3: return groove(toLine(x, n), 0.03f);                                                              // planks upright
-    case 4: return bricks(x, y, 2 * (variant + 1));                                                          // bricks
-    case 5: return groove(minOf(toLine(x + y, n), toLine(x - y + 1.0f, n)), 0.025f);                         // diamonds
-    case 6: return groove(std::fabs(std::hypot(x - 0.5f, y - 0.5f) - 0.06f * n), 0.03f);                     // rings
-    default: return 0.5f + 0.5f * std::cos(6.2831853f * n * (x + y)) * std::cos(6.2831853f * n * (x - y));   // weave
+    case 0:
+      return variant == 0 ? 1.0f : 1.0f - 0.2f * speckle(x, y, 16 << (variant % 3), variant);  // plain, grain
+    case 1:
+      return minOf(groove(toLine(x, n), 0.02f), groove(toLine(y, n), 0.02f));  // panels
+    case 2:
+      return groove(toLine(y, n), 0.03f);  // planks across
+    case 3:
+      return groove(toLine(x, n), 0.03f);  // planks upright
+    case 4:
+      return bricks(x, y, 2 * (variant + 1));  // bricks
+    case 5:
+      return groove(minOf(toLine(x + y, n), toLine(x - y + 1.0f, n)), 0.025f);  // diamonds
+    case 6:
+      return groove(std::fabs(std::hypot(x - 0.5f, y - 0.5f) - 0.06f * n), 0.03f);  // rings
+    default:
+      return 0.5f + 0.5f * std::cos(6.2831853f * n * (x + y)) * std::cos(6.2831853f * n * (x - y));  // weave
   }
 }
 

@@ -1,5 +1,5 @@
-// render/tiles.h - the 8 x 8 atlas of wall patterns that level files number 0 to 63: grey patterns of our own, computed, that
-// multiply a box's colour. Tile = row * 8 + column.
+// render/tiles.h - the 8 x 8 atlas of wall patterns that level files number 0 to 63: grey patterns of our own,
+// computed, that multiply a box's colour. Tile = row * 8 + column.
 #pragma once
 
 #include <cstdint>

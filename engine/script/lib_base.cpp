@@ -10,13 +10,16 @@
 namespace brittle::script {
 namespace {
 
-int orderOf(int type) { return type == LUA_TNUMBER ? 0 : (type == LUA_TSTRING ? 1 : 2); }
+int orderOf(int type) {
+  return type == LUA_TNUMBER ? 0 : (type == LUA_TSTRING ? 1 : 2);
+}
 
 [[gnu::noinline]] int refuseKey(lua_State* lua, const char* who) {
   return raise(lua, "%s: a table or function used as a key has no place in the order of keys", who);
 }
 
-/// The next key after the one given, by comparison: a walk with next alone costs the square of the size, and is charged so.
+/// The next key after the one given, by comparison: a walk with next alone costs the square of the size, and is charged
+/// so.
 int nextKey(lua_State* lua) {
   luaL_checktype(lua, 1, LUA_TTABLE);
   lua_settop(lua, 2);
@@ -191,7 +194,9 @@ int lengthOf(lua_State* lua, int index) {
 
 void pushText(lua_State* lua, int index) {
   switch (lua_type(lua, index)) {
-    case LUA_TSTRING: lua_pushvalue(lua, index); break;
+    case LUA_TSTRING:
+      lua_pushvalue(lua, index);
+      break;
     case LUA_TNUMBER:
       // the sign of a NaN differs between processors
       if (const double value = lua_tonumber(lua, index); value != value) {
@@ -201,8 +206,12 @@ void pushText(lua_State* lua, int index) {
         lua_tolstring(lua, -1, nullptr);
       }
       break;
-    case LUA_TBOOLEAN: lua_pushstring(lua, lua_toboolean(lua, index) != 0 ? "true" : "false"); break;
-    default: lua_pushstring(lua, luaL_typename(lua, index)); break;
+    case LUA_TBOOLEAN:
+      lua_pushstring(lua, lua_toboolean(lua, index) != 0 ? "true" : "false");
+      break;
+    default:
+      lua_pushstring(lua, luaL_typename(lua, index));
+      break;
   }
 }
 
@@ -228,8 +237,8 @@ int applyOperator(lua_State* lua) {
 }
 
 void addBase(lua_State* lua) {
-  const luaL_Reg functions[] = {{"next", nextKey}, {"pairs", pairsInOrder}, {"tostring", toText}, {"print", print},
-                                {nullptr, nullptr}};
+  const luaL_Reg functions[] = {
+      {"next", nextKey}, {"pairs", pairsInOrder}, {"tostring", toText}, {"print", print}, {nullptr, nullptr}};
   luaL_setfuncs(lua, functions, 0);
 }
 

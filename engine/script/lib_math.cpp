@@ -1,4 +1,5 @@
-// math: from engine/math, so that it gives the same bits everywhere. What remains of the C library is exact by definition.
+// math: from engine/math, so that it gives the same bits everywhere. What remains of the C library is exact by
+// definition.
 #include "engine/script/state.h"
 
 #include "engine/math/trig.h"
@@ -24,20 +25,48 @@ int binary(lua_State* lua) {
   return 1;
 }
 
-double absolute(double x) { return std::fabs(x); }
-double floorOf(double x) { return std::floor(x); }
-double ceilingOf(double x) { return std::ceil(x); }
-double rootOf(double x) { return std::sqrt(x); }
-double tangentOf(double x) { return sineOf(x) / cosineOf(x); }
-double arcSineOf(double x) { return arcTangentOf(x, std::sqrt((1.0 - x) * (1.0 + x))); }
-double arcCosineOf(double x) { return arcTangentOf(std::sqrt((1.0 - x) * (1.0 + x)), x); }
-double arcTangentOfOne(double x) { return arcTangentOf(x, 1.0); }
-double hyperbolicSine(double x) { return (exponentialOf(x) - exponentialOf(-x)) / 2.0; }
-double hyperbolicCosine(double x) { return (exponentialOf(x) + exponentialOf(-x)) / 2.0; }
-double hyperbolicTangent(double x) { return 1.0 - 2.0 / (exponentialOf(2.0 * x) + 1.0); }
-double remainderOf(double a, double b) { return std::fmod(a, b); }
-double toDegrees(double x) { return x / (kPiDouble / 180.0); }
-double toRadians(double x) { return x * (kPiDouble / 180.0); }
+double absolute(double x) {
+  return std::fabs(x);
+}
+double floorOf(double x) {
+  return std::floor(x);
+}
+double ceilingOf(double x) {
+  return std::ceil(x);
+}
+double rootOf(double x) {
+  return std::sqrt(x);
+}
+double tangentOf(double x) {
+  return sineOf(x) / cosineOf(x);
+}
+double arcSineOf(double x) {
+  return arcTangentOf(x, std::sqrt((1.0 - x) * (1.0 + x)));
+}
+double arcCosineOf(double x) {
+  return arcTangentOf(std::sqrt((1.0 - x) * (1.0 + x)), x);
+}
+double arcTangentOfOne(double x) {
+  return arcTangentOf(x, 1.0);
+}
+double hyperbolicSine(double x) {
+  return (exponentialOf(x) - exponentialOf(-x)) / 2.0;
+}
+double hyperbolicCosine(double x) {
+  return (exponentialOf(x) + exponentialOf(-x)) / 2.0;
+}
+double hyperbolicTangent(double x) {
+  return 1.0 - 2.0 / (exponentialOf(2.0 * x) + 1.0);
+}
+double remainderOf(double a, double b) {
+  return std::fmod(a, b);
+}
+double toDegrees(double x) {
+  return x / (kPiDouble / 180.0);
+}
+double toRadians(double x) {
+  return x * (kPiDouble / 180.0);
+}
 
 /// Whole where the argument is a power of the base: scripts count on math.log(8, 2) == 3.
 double logarithmTo(double x, double base) {
@@ -45,7 +74,9 @@ double logarithmTo(double x, double base) {
   const double whole = std::floor(quotient + 0.5);
   return whole - whole == 0.0 && power(base, whole) == x ? whole : quotient;
 }
-double decimalLogarithm(double x) { return logarithmTo(x, 10.0); }
+double decimalLogarithm(double x) {
+  return logarithmTo(x, 10.0);
+}
 
 int logarithm(lua_State* lua) {
   const double x = luaL_checknumber(lua, 1);
@@ -103,17 +134,35 @@ int randomSeed(lua_State* lua) {
   return 0;
 }
 
-const luaL_Reg kFunctions[] = {
-    {"abs", unary<absolute>},        {"acos", unary<arcCosineOf>},       {"asin", unary<arcSineOf>},
-    {"atan", unary<arcTangentOfOne>}, {"atan2", binary<arcTangentOf>},   {"ceil", unary<ceilingOf>},
-    {"cos", unary<cosineOf>},        {"cosh", unary<hyperbolicCosine>},  {"deg", unary<toDegrees>},
-    {"exp", unary<exponentialOf>},   {"floor", unary<floorOf>},          {"fmod", binary<remainderOf>},
-    {"frexp", splitExponent},        {"ldexp", joinExponent},            {"log", logarithm},
-    {"log10", unary<decimalLogarithm>}, {"max", extreme<false>},         {"min", extreme<true>},
-    {"modf", splitWhole},            {"pow", binary<power>},             {"rad", unary<toRadians>},
-    {"random", randomNumber},        {"randomseed", randomSeed},         {"sin", unary<sineOf>},
-    {"sinh", unary<hyperbolicSine>}, {"sqrt", unary<rootOf>},            {"tan", unary<tangentOf>},
-    {"tanh", unary<hyperbolicTangent>}, {nullptr, nullptr}};
+const luaL_Reg kFunctions[] = {{"abs", unary<absolute>},
+                               {"acos", unary<arcCosineOf>},
+                               {"asin", unary<arcSineOf>},
+                               {"atan", unary<arcTangentOfOne>},
+                               {"atan2", binary<arcTangentOf>},
+                               {"ceil", unary<ceilingOf>},
+                               {"cos", unary<cosineOf>},
+                               {"cosh", unary<hyperbolicCosine>},
+                               {"deg", unary<toDegrees>},
+                               {"exp", unary<exponentialOf>},
+                               {"floor", unary<floorOf>},
+                               {"fmod", binary<remainderOf>},
+                               {"frexp", splitExponent},
+                               {"ldexp", joinExponent},
+                               {"log", logarithm},
+                               {"log10", unary<decimalLogarithm>},
+                               {"max", extreme<false>},
+                               {"min", extreme<true>},
+                               {"modf", splitWhole},
+                               {"pow", binary<power>},
+                               {"rad", unary<toRadians>},
+                               {"random", randomNumber},
+                               {"randomseed", randomSeed},
+                               {"sin", unary<sineOf>},
+                               {"sinh", unary<hyperbolicSine>},
+                               {"sqrt", unary<rootOf>},
+                               {"tan", unary<tangentOf>},
+                               {"tanh", unary<hyperbolicTangent>},
+                               {nullptr, nullptr}};
 
 }  // namespace
 

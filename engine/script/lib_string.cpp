@@ -22,7 +22,8 @@ Text checkText(lua_State* lua, int index) {
 
 /// Where a search starts, counted from 0: `position` counts from 1, or from the end if negative.
 std::size_t startOf(double position, std::size_t size) {
-  if (position > 0.0) return position - 1.0 > static_cast<double>(size) ? size + 1 : static_cast<std::size_t>(position - 1.0);
+  if (position > 0.0)
+    return position - 1.0 > static_cast<double>(size) ? size + 1 : static_cast<std::size_t>(position - 1.0);
   if (position == 0.0 || !(position >= -static_cast<double>(size))) return 0;
   return size - static_cast<std::size_t>(-position);
 }

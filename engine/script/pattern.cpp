@@ -8,7 +8,9 @@ namespace {
 
 constexpr int kMostDepth = 200;
 
-bool isIn(unsigned char c, unsigned char low, unsigned char high) { return c >= low && c <= high; }
+bool isIn(unsigned char c, unsigned char low, unsigned char high) {
+  return c >= low && c <= high;
+}
 
 /// %a and its family; a capital letter is the complement; another character stands for itself.
 bool isInClass(unsigned char c, unsigned char name) {
@@ -19,18 +21,41 @@ bool isInClass(unsigned char c, unsigned char name) {
   const auto kind = static_cast<unsigned char>(name | 0x20);
   bool result = false;
   switch (isIn(name, 'A', 'Z') ? kind : name) {
-    case 'a': result = lower || upper; break;
-    case 'c': result = c < 32 || c == 127; break;
-    case 'd': result = digit; break;
-    case 'g': result = visible; break;
-    case 'l': result = lower; break;
-    case 'p': result = visible && !lower && !upper && !digit; break;
-    case 's': result = c == ' ' || isIn(c, 9, 13); break;
-    case 'u': result = upper; break;
-    case 'w': result = lower || upper || digit; break;
-    case 'z': result = c == 0; break;  // deprecated in 5.2, still there
-    case 'x': result = digit || isIn(c, 'a', 'f') || isIn(c, 'A', 'F'); break;
-    default: return c == name;
+    case 'a':
+      result = lower || upper;
+      break;
+    case 'c':
+      result = c < 32 || c == 127;
+      break;
+    case 'd':
+      result = digit;
+      break;
+    case 'g':
+      result = visible;
+      break;
+    case 'l':
+      result = lower;
+      break;
+    case 'p':
+      result = visible && !lower && !upper && !digit;
+      break;
+    case 's':
+      result = c == ' ' || isIn(c, 9, 13);
+      break;
+    case 'u':
+      result = upper;
+      break;
+    case 'w':
+      result = lower || upper || digit;
+      break;
+    case 'z':
+      result = c == 0;
+      break;  // deprecated in 5.2, still there
+    case 'x':
+      result = digit || isIn(c, 'a', 'f') || isIn(c, 'A', 'F');
+      break;
+    default:
+      return c == name;
   }
   return isIn(name, 'A', 'Z') ? !result : result;
 }
@@ -80,10 +105,14 @@ bool Pattern::matchesOne(const char* s, const char* p, const char* next) const {
   if (s >= subjectEnd_) return false;
   const auto c = static_cast<unsigned char>(*s);
   switch (*p) {
-    case '.': return true;
-    case '%': return isInClass(c, static_cast<unsigned char>(p[1]));
-    case '[': return isInSet(c, p, next);
-    default: return static_cast<unsigned char>(*p) == c;
+    case '.':
+      return true;
+    case '%':
+      return isInClass(c, static_cast<unsigned char>(p[1]));
+    case '[':
+      return isInSet(c, p, next);
+    default:
+      return static_cast<unsigned char>(*p) == c;
   }
 }
 
@@ -188,7 +217,8 @@ const char* Pattern::matchCapture(const char* s, char digit) {
   if (index < 0 || index >= captures_ || capture_[index].size == kUnfinished) return fail("invalid capture index");
   const std::ptrdiff_t size = capture_[index].size == kPosition ? 0 : capture_[index].size;
   *budget_ -= size / 16;
-  if (size > subjectEnd_ - s || std::memcmp(capture_[index].start, s, static_cast<std::size_t>(size)) != 0) return nullptr;
+  if (size > subjectEnd_ - s || std::memcmp(capture_[index].start, s, static_cast<std::size_t>(size)) != 0)
+    return nullptr;
   return s + size;
 }
 

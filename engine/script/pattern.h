@@ -1,5 +1,6 @@
-// script/pattern.h - Lua patterns with a budget: a pattern that goes back for ever stops with an error, where the library's own
-// matcher would hang outside of the reach of any instruction count. Holds no memory of its own, so a Lua error may jump over it.
+// script/pattern.h - Lua patterns with a budget: a pattern that goes back for ever stops with an error, where the
+// library's own matcher would hang outside of the reach of any instruction count. Holds no memory of its own, so a Lua
+// error may jump over it.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,12 @@ class Pattern {
   static constexpr std::ptrdiff_t kPosition = -2;
 
   /// `budget` is counted down by about one per character looked at.
-  Pattern(const char* subject, std::size_t subjectSize, const char* pattern, std::size_t patternSize, std::int64_t& budget)
-      : subject_(subject), subjectEnd_(subject + subjectSize), pattern_(pattern), patternEnd_(pattern + patternSize),
+  Pattern(const char* subject, std::size_t subjectSize, const char* pattern, std::size_t patternSize,
+          std::int64_t& budget)
+      : subject_(subject),
+        subjectEnd_(subject + subjectSize),
+        pattern_(pattern),
+        patternEnd_(pattern + patternSize),
         budget_(&budget) {}
 
   /// The end of a match of the whole pattern that begins at `start`, or null: no match, or error() says what is wrong.

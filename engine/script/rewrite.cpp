@@ -1,6 +1,7 @@
-// A power binds tighter than a sign on its left and is right-associative; its right operand is signs and one simple expression.
-// So while walking over the tokens it is enough to know, per bracket level, where the last simple expression began (the left
-// operand of ^), where the chain of * / % began (that of %), and how many calls are to be closed after the next operand.
+// A power binds tighter than a sign on its left and is right-associative; its right operand is signs and one simple
+// expression. So while walking over the tokens it is enough to know, per bracket level, where the last simple
+// expression began (the left operand of ^), where the chain of * / % began (that of %), and how many calls are to be
+// closed after the next operand.
 #include "engine/script/rewrite.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace {
 
 struct Level {
   char opener = 0;
-  bool afterOperand = false;    // the last token ended a simple expression
-  bool takesSuffix = false;     // which may go on with . [ ( : { or a string
+  bool afterOperand = false;     // the last token ended a simple expression
+  bool takesSuffix = false;      // which may go on with . [ ( : { or a string
   std::size_t operandStart = 0;  // token index
   bool hasChain = false;
   std::size_t chainStart = 0;  // token index
@@ -21,7 +22,11 @@ struct Level {
 class Rewriter {
  public:
   Rewriter(std::string_view source, const std::vector<Token>& tokens)
-      : source_(source), tokens_(tokens), before_(tokens.size()), after_(tokens.size()), instead_(tokens.size(), nullptr) {
+      : source_(source),
+        tokens_(tokens),
+        before_(tokens.size()),
+        after_(tokens.size()),
+        instead_(tokens.size(), nullptr) {
     levels_.emplace_back();
   }
 
@@ -47,11 +52,15 @@ class Rewriter {
     if (text == "^" && token.kind == TokenKind::Symbol && level().afterOperand) return startPower();
     if (level().afterOperand) endOperand();
     switch (token.kind) {
-      case TokenKind::Name: return startOperand(true);
+      case TokenKind::Name:
+        return startOperand(true);
       case TokenKind::Number:
-      case TokenKind::Text: return startOperand(false);
-      case TokenKind::Keyword: return keyword(text);
-      case TokenKind::Symbol: return symbol(text);
+      case TokenKind::Text:
+        return startOperand(false);
+      case TokenKind::Keyword:
+        return keyword(text);
+      case TokenKind::Symbol:
+        return symbol(text);
     }
   }
 
@@ -174,9 +183,9 @@ class Rewriter {
 
   std::string_view source_;
   const std::vector<Token>& tokens_;
-  std::vector<std::string> before_;    // per token: the operators whose call opens before it, innermost first
-  std::vector<int> after_;             // per token: the calls that close after it
-  std::vector<const char*> instead_;   // per token: what stands in its place, or null
+  std::vector<std::string> before_;   // per token: the operators whose call opens before it, innermost first
+  std::vector<int> after_;            // per token: the calls that close after it
+  std::vector<const char*> instead_;  // per token: what stands in its place, or null
   std::vector<Level> levels_;
   std::size_t at_ = 0;
   Rewritten result_;

@@ -1,7 +1,8 @@
-// script/rewrite.h - makes a source say `("^")(a, b)` where it said `a ^ b`, and likewise `a % b` and `#a`. Lua's virtual machine
-// (and its constant folding) computes a power with the C library, whose last bit differs between machines; a modulo with a product
-// and a difference that some compilers fuse; and a length that depends on how a table was filled. The string that is called finds
-// our own arithmetic through the metatable of strings, which no script can reach or hide.
+// script/rewrite.h - makes a source say `("^")(a, b)` where it said `a ^ b`, and likewise `a % b` and `#a`. Lua's
+// virtual machine (and its constant folding) computes a power with the C library, whose last bit differs between
+// machines; a modulo with a product and a difference that some compilers fuse; and a length that depends on how a table
+// was filled. The string that is called finds our own arithmetic through the metatable of strings, which no script can
+// reach or hide.
 #pragma once
 
 #include "engine/core/result.h"
@@ -28,7 +29,8 @@ struct Tokens {
 };
 Tokens tokenize(std::string_view source);
 
-/// The rewritten source, line for line as before. `wrong` is set where brackets do not match or a function is an operand.
+/// The rewritten source, line for line as before. `wrong` is set where brackets do not match or a function is an
+/// operand.
 struct Rewritten {
   std::string source;
   std::string wrong;

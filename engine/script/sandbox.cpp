@@ -100,9 +100,15 @@ Value Sandbox::get(const std::string& global) const {
   return value;
 }
 
-Random& Sandbox::random() { return state_->random; }
-std::size_t Sandbox::memoryUsed() const { return state_->used; }
-std::int64_t Sandbox::instructionsUsed() const { return state_->granted - state_->left; }
+Random& Sandbox::random() {
+  return state_->random;
+}
+std::size_t Sandbox::memoryUsed() const {
+  return state_->used;
+}
+std::int64_t Sandbox::instructionsUsed() const {
+  return state_->granted - state_->left;
+}
 
 Status checkSyntax(std::string_view source, const std::string& file) {
   static const Library none;

@@ -1,7 +1,7 @@
-// Saving and restoring. What a script can reach is a graph of tables and functions. Functions are code: those that exist after the
-// sources were loaded have the same numbers in every sandbox that loaded the same sources, so a number stands for one, and what
-// is saved of it are the variables it shares with others (its upvalues). Tables are written breadth first, each once, keys in
-// order, so the bytes depend on the contents alone and may be hashed.
+// Saving and restoring. What a script can reach is a graph of tables and functions. Functions are code: those that
+// exist after the sources were loaded have the same numbers in every sandbox that loaded the same sources, so a number
+// stands for one, and what is saved of it are the variables it shares with others (its upvalues). Tables are written
+// breadth first, each once, keys in order, so the bytes depend on the contents alone and may be hashed.
 #include "engine/script/sandbox.h"
 
 #include "engine/script/state.h"
@@ -12,7 +12,8 @@
 namespace brittle::script {
 namespace {
 
-// Keys of the registry. kNumbers: function or built-in table -> number; kNumbered: the reverse; kBuiltins: name -> value.
+// Keys of the registry. kNumbers: function or built-in table -> number; kNumbered: the reverse; kBuiltins: name ->
+// value.
 constexpr const char* kNumbers = "numbers";
 constexpr const char* kNumbered = "numbered";
 constexpr const char* kBuiltins = "builtins";
@@ -21,7 +22,9 @@ constexpr std::uint32_t kFormat = 0x53524232;  // "BRS2"
 
 enum class Tag : std::uint8_t { Nil, False, True, Number, Text, Table, Numbered };
 
-void getRegistered(lua_State* lua, const char* name) { lua_getfield(lua, LUA_REGISTRYINDEX, name); }
+void getRegistered(lua_State* lua, const char* name) {
+  lua_getfield(lua, LUA_REGISTRYINDEX, name);
+}
 
 /// Gives the value on top of the stack the next number, unless it has one. Stack: numbers at 1, numbered at 2.
 bool giveNumber(lua_State* lua) {
@@ -45,7 +48,8 @@ void pushNumberingTables(lua_State* lua) {
   getRegistered(lua, kNumbered);
 }
 
-/// Puts the value on top into the list at 3 if it is a table or function met for the first time (4: those met). Pops it.
+/// Puts the value on top into the list at 3 if it is a table or function met for the first time (4: those met). Pops
+/// it.
 void visit(lua_State* lua, int& listed) {
   if (lua_istable(lua, -1) || (lua_isfunction(lua, -1) && lua_iscfunction(lua, -1) == 0)) {
     lua_pushvalue(lua, -1);
@@ -249,15 +253,24 @@ class Saver {
   /// Writes and pops the value on top. `where` names it if it cannot be written.
   void writeTop(const char* where) {
     switch (lua_type(lua_, -1)) {
-      case LUA_TNIL: out_.write(Tag::Nil); break;
-      case LUA_TBOOLEAN: out_.write(lua_toboolean(lua_, -1) != 0 ? Tag::True : Tag::False); break;
-      case LUA_TNUMBER: writeNumber(lua_tonumber(lua_, -1)); break;
-      case LUA_TSTRING: writeText(); break;
+      case LUA_TNIL:
+        out_.write(Tag::Nil);
+        break;
+      case LUA_TBOOLEAN:
+        out_.write(lua_toboolean(lua_, -1) != 0 ? Tag::True : Tag::False);
+        break;
+      case LUA_TNUMBER:
+        writeNumber(lua_tonumber(lua_, -1));
+        break;
+      case LUA_TSTRING:
+        writeText();
+        break;
       case LUA_TTABLE:
         if (!writeNumbered()) writeTableReference();
         break;
       default:
-        if (!writeNumbered()) raise(lua_, "'%s': a function made while running cannot be saved", where != nullptr ? where : "?");
+        if (!writeNumbered())
+          raise(lua_, "'%s': a function made while running cannot be saved", where != nullptr ? where : "?");
     }
     lua_pop(lua_, 1);
   }
@@ -318,7 +331,8 @@ class Restorer {
     lua_newtable(lua_);
     lua_pushglobaltable(lua_);
     const int functions = static_cast<int>(lua_rawlen(lua_, 2));
-    if (in_.read<std::uint32_t>() != static_cast<std::uint32_t>(functions)) return refuse("it was saved with other scripts");
+    if (in_.read<std::uint32_t>() != static_cast<std::uint32_t>(functions))
+      return refuse("it was saved with other scripts");
     resetGlobals();
     lua_pushvalue(lua_, 4);
     lua_rawseti(lua_, 3, 1);
@@ -366,7 +380,8 @@ class Restorer {
     lua_rawgeti(lua_, 3, place);
     while (readValue()) {
       readValue();
-      const bool isUsable = !lua_isnil(lua_, -2) && !(lua_type(lua_, -2) == LUA_TNUMBER && std::isnan(lua_tonumber(lua_, -2)));
+      const bool isUsable =
+          !lua_isnil(lua_, -2) && !(lua_type(lua_, -2) == LUA_TNUMBER && std::isnan(lua_tonumber(lua_, -2)));
       if (!isUsable) return refuse("it is damaged");
       lua_rawset(lua_, -3);
     }
@@ -378,13 +393,27 @@ class Restorer {
     const auto tag = in_.read<Tag>();
     if (!in_.ok()) refuse("it is cut short or damaged");
     switch (tag) {
-      case Tag::Nil: lua_pushnil(lua_); return false;
-      case Tag::False: lua_pushboolean(lua_, 0); return true;
-      case Tag::True: lua_pushboolean(lua_, 1); return true;
-      case Tag::Number: lua_pushnumber(lua_, in_.read<double>()); return true;
-      case Tag::Text: readText(); return true;
-      case Tag::Table: readTableReference(); return true;
-      case Tag::Numbered: readNumbered(); return true;
+      case Tag::Nil:
+        lua_pushnil(lua_);
+        return false;
+      case Tag::False:
+        lua_pushboolean(lua_, 0);
+        return true;
+      case Tag::True:
+        lua_pushboolean(lua_, 1);
+        return true;
+      case Tag::Number:
+        lua_pushnumber(lua_, in_.read<double>());
+        return true;
+      case Tag::Text:
+        readText();
+        return true;
+      case Tag::Table:
+        readTableReference();
+        return true;
+      case Tag::Numbered:
+        readNumbered();
+        return true;
     }
     refuse("it is damaged");
     return false;
@@ -432,7 +461,10 @@ Status Sandbox::save(ByteWriter& out) const {
   written.write(state.price);
   state.beginRun(0);
   state.unlimited = true;
-  const int status = state.protect([&written](lua_State* lua) { Saver(lua, written).run(); lua_settop(lua, 0); });
+  const int status = state.protect([&written](lua_State* lua) {
+    Saver(lua, written).run();
+    lua_settop(lua, 0);
+  });
   state.unlimited = false;
   if (status != LUA_OK) return state.takeError(status);
   out.writeBytes(written.bytes().data(), written.bytes().size());
@@ -447,7 +479,10 @@ Status Sandbox::restore(ByteReader& in) {
   const auto price = in.read<std::uint32_t>();
   state.beginRun(0);
   state.unlimited = true;  // what is read is bounded by the bytes there are
-  const int status = state.protect([&in](lua_State* lua) { Restorer(lua, in).run(); lua_settop(lua, 0); });
+  const int status = state.protect([&in](lua_State* lua) {
+    Restorer(lua, in).run();
+    lua_settop(lua, 0);
+  });
   state.unlimited = false;
   if (status != LUA_OK) return state.takeError(status);
   state.random.restore(position, increment);

@@ -1,6 +1,6 @@
-// script/state.h - what a sandbox holds behind its interface: the Lua state, its budgets, and the rules for errors that jump.
-// Internal to engine/script. Lua is C: an error is a longjmp, so no object with a destructor may live in a frame that calls a
-// Lua function that can fail; what needs one is a member here instead.
+// script/state.h - what a sandbox holds behind its interface: the Lua state, its budgets, and the rules for errors that
+// jump. Internal to engine/script. Lua is C: an error is a longjmp, so no object with a destructor may live in a frame
+// that calls a Lua function that can fail; what needs one is a member here instead.
 #pragma once
 
 #include "engine/core/result.h"
@@ -14,11 +14,13 @@
 
 namespace brittle::script {
 
-/// Comparing a string or reading it as a number takes one instruction of the virtual machine, but time by its length. Up to 20 ns
-/// a byte, measured: strings with zeroes compared bit by bit. Priced so, a run of a million instructions stays below two seconds.
+/// Comparing a string or reading it as a number takes one instruction of the virtual machine, but time by its length.
+/// Up to 20 ns a byte, measured: strings with zeroes compared bit by bit. Priced so, a run of a million instructions
+/// stays below two seconds.
 inline constexpr std::size_t kPricedLength = 256;  // [bytes]
 
-/// A key of a table, in the order in which pairs and snapshots visit: numbers, then strings bytewise, then false and true.
+/// A key of a table, in the order in which pairs and snapshots visit: numbers, then strings bytewise, then false and
+/// true.
 struct Key {
   int type;  // LUA_TNUMBER, LUA_TSTRING or LUA_TBOOLEAN
   double number;
@@ -37,7 +39,8 @@ class SandboxState {
 
   /// Calls the function under `arguments` values on the stack; an error message gets its place if it has none.
   int callProtected(int arguments, int results);
-  /// Runs `body(lua)` so that Lua errors end here; the values it leaves are kept, as many as `results`. Gives Lua's status.
+  /// Runs `body(lua)` so that Lua errors end here; the values it leaves are kept, as many as `results`. Gives Lua's
+  /// status.
   template <class Body>
   int protect(const Body& body, int results = 0) {
     lua_pushcfunction(lua, [](lua_State* inner) {
@@ -76,7 +79,7 @@ class SandboxState {
   std::uint32_t price = 1;
   int builtins = 0;  // how many functions and tables had numbers before the first script
   bool running = false;
-  bool unlimited = false;  // while our own code, not the script, asks for memory
+  bool unlimited = false;      // while our own code, not the script, asks for memory
   std::vector<Key> keys;       // scratch of the sorted walks
   std::vector<Key> outerKeys;  // of a walk around another
 
@@ -85,10 +88,10 @@ class SandboxState {
   bool admits(std::size_t before, std::size_t wanted, std::size_t largest);
   bool runNative(const Library::Entry& entry);
 
-  std::size_t churn_ = 0;               // bytes asked for since beginRun
+  std::size_t churn_ = 0;                // bytes asked for since beginRun
   std::pair<int, int> refusedAt_{0, 0};  // where memory ran out
-  std::string message_;                 // of the native that failed
-  std::vector<Value> results_;          // of the native that ran last
+  std::string message_;                  // of the native that failed
+  std::vector<Value> results_;           // of the native that ran last
 };
 
 /// Raises "file:line: what" with printf-like arguments (%s %d %f). Never returns.

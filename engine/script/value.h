@@ -1,5 +1,6 @@
-// script/value.h - what passes between C++ and a script: nil, a boolean, a number or a string. Tables and functions stay inside.
-// A struct of its own, since gcc 12 warns about std::variant holding a string wherever one is built in place.
+// script/value.h - what passes between C++ and a script: nil, a boolean, a number or a string. Tables and functions
+// stay inside. A struct of its own, since gcc 12 warns about std::variant holding a string wherever one is built in
+// place.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// content/check.h - reads every piece of level content in a file or a folder and lists what is wrong with it, as `brittle check` shows.
+// content/check.h - reads every piece of level content in a file or a folder and lists what is wrong with it, as
+// `brittle check` shows.
 #pragma once
 
 #include "game/content/problem.h"
@@ -10,12 +11,13 @@ namespace brittle::content {
 struct CheckReport {
   int segments = 0, levels = 0, templates = 0, gameLists = 0, materials = 0, scripts = 0;
   int boxes = 0, obstacles = 0, rooms = 0;
-  int skipped = 0;  // files that are no level content, or unknown kinds of it
+  int skipped = 0;    // files that are no level content, or unknown kinds of it
   Problems problems;  // by file in the order of their names, then by line
 };
 
-/// `path`: a file or a folder (read with all that is in it, links not followed). Templates and the scripts that levels name are looked
-/// for in the asset folder around the path: the nearest one that holds templates.xml, levels/ or segments/.
+/// `path`: a file or a folder (read with all that is in it, links not followed). Templates and the scripts that levels
+/// name are looked for in the asset folder around the path: the nearest one that holds templates.xml, levels/ or
+/// segments/.
 CheckReport checkPath(const std::string& path);
 
 }  // namespace brittle::content

@@ -10,9 +10,9 @@
 namespace brittle::content {
 
 struct Room {
-  std::string type;                               // rooms/TYPE.lua, never empty
-  float length = 100.0f;                          // what the room adds to the displayed distance; positive
-  bool start = false;                             // first or last room of its kind in a row: placed by the author
+  std::string type;       // rooms/TYPE.lua, never empty
+  float length = 100.0f;  // what the room adds to the displayed distance; positive
+  bool start = false;     // first or last room of its kind in a row: placed by the author
   bool end = false;
   std::map<std::string, std::string> attributes;  // all of them as written, type included: scripts read them
   int line = 0;

@@ -69,7 +69,8 @@ MaterialTable readMaterials(const std::string& text, const std::string& file) {
     if (found == Found::Absent) attributes.report("name is missing: the material is left out");
     if (found != Found::Good) continue;
     const MaterialEntry* known = table.find(entry.name);
-    const std::size_t place = known != nullptr ? static_cast<std::size_t>(known - table.materials.data()) : table.materials.size();
+    const std::size_t place =
+        known != nullptr ? static_cast<std::size_t>(known - table.materials.data()) : table.materials.size();
     if (known == nullptr) table.materials.push_back(entry);
     readEntry(attributes, table.materials[place]);
   }

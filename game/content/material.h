@@ -18,8 +18,8 @@ struct MaterialEntry {
   float restitution = 0.3f;  // 0 to 1
   float forceLimit = 0.1f;   // in the level format's unit; infinity: does not break
   SoundKind kind = SoundKind::Glass;
-  int motion = 0;            // 0 dynamic, 1 static, 2 kinematic
-  unsigned category = 1;     // collision bits
+  int motion = 0;         // 0 dynamic, 1 static, 2 kinematic
+  unsigned category = 1;  // collision bits
   unsigned mask = 255;
 };
 
@@ -32,8 +32,8 @@ struct MaterialTable {
 
 /// steel, wood, glass, door.
 MaterialTable builtInMaterials();
-/// The built-in table with what a materials.xml changes or adds: <materials><material name density friction restitution forceLimit
-/// type static category mask/>.
+/// The built-in table with what a materials.xml changes or adds: <materials><material name density friction restitution
+/// forceLimit type static category mask/>.
 MaterialTable readMaterials(const std::string& text, const std::string& file);
 
 }  // namespace brittle::content

@@ -1,5 +1,5 @@
-// Exact for what people write: up to 15 digits and a power of ten up to 22 take one correctly rounded operation. Beyond that the
-// last bit of the double may be off, by the same amount everywhere.
+// Exact for what people write: up to 15 digits and a power of ten up to 22 take one correctly rounded operation. Beyond
+// that the last bit of the double may be off, by the same amount everywhere.
 #include "game/content/number.h"
 
 #include <cstdint>
@@ -8,8 +8,12 @@
 namespace brittle::content {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 struct Cursor {
   std::string_view text;

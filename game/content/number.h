@@ -1,4 +1,5 @@
-// content/number.h - numbers as level files write them: leading and trailing dots, several spaces, never the machine's locale.
+// content/number.h - numbers as level files write them: leading and trailing dots, several spaces, never the machine's
+// locale.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,8 @@ namespace brittle::content {
 /// Values beyond this are refused: no level is so large, and floats lose their centimetres.
 inline constexpr double kLargestNumber = 1e6;
 
-/// One number and nothing else (blanks around it allowed); nothing if it is none. Digits beyond the 19th are ignored. May be infinite.
+/// One number and nothing else (blanks around it allowed); nothing if it is none. Digits beyond the 19th are ignored.
+/// May be infinite.
 std::optional<double> parseNumber(std::string_view text);
 /// Numbers between blanks or commas; nothing if one of them is none.
 std::optional<std::vector<double>> parseNumbers(std::string_view text);

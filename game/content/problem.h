@@ -1,5 +1,5 @@
-// content/problem.h - one thing that is wrong with a file of a level: where, what, the value found and the value expected.
-// Readers collect problems and go on; nobody throws a level away because of one.
+// content/problem.h - one thing that is wrong with a file of a level: where, what, the value found and the value
+// expected. Readers collect problems and go on; nobody throws a level away because of one.
 #pragma once
 
 #include "engine/core/result.h"

@@ -8,28 +8,29 @@ namespace {
 
 constexpr std::string_view kCalls[] = {
     // rooms
-    "mgSegment", "confSegment", "nextSegment", "mgLength", "mgMusic", "mgFogColor", "mgReverb", "mgEcho", "mgLowPass", "mgGravity",
-    "mgSetRotation", "mgRotation", "mgParticles", "mgSetDifficulty", "mgGetBool", "mgGetInt", "mgGetFloat", "mgGetString", "mgGet",
-    "mgSet", "mgRndFloat", "mgRndInt", "mgRndBool", "mgRandomize", "mgBox", "mgColor", "mgTexture", "mgObstacle", "mgPowerUp",
-    "mgGetSplitExtraRoomLength",
+    "mgSegment", "confSegment", "nextSegment", "mgLength", "mgMusic", "mgFogColor", "mgReverb", "mgEcho", "mgLowPass",
+    "mgGravity", "mgSetRotation", "mgRotation", "mgParticles", "mgSetDifficulty", "mgGetBool", "mgGetInt", "mgGetFloat",
+    "mgGetString", "mgGet", "mgSet", "mgRndFloat", "mgRndInt", "mgRndBool", "mgRandomize", "mgBox", "mgColor",
+    "mgTexture", "mgObstacle", "mgPowerUp", "mgGetSplitExtraRoomLength",
     // obstacles: bodies and shapes
-    "mgCreateBody", "mgCreateBox", "mgCreateCylinder", "mgCreateMesh", "mgClearShapes", "mgTranslateShape", "mgMaterial", "mgDensity",
-    "mgForceLimit", "mgRoundness", "mgShapeChamfer", "mgShapeScale", "mgHideEdges", "mgStatic", "mgCategory", "mgMask",
-    "mgSetShapeColor", "mgSetShapeMask",
+    "mgCreateBody", "mgCreateBox", "mgCreateCylinder", "mgCreateMesh", "mgClearShapes", "mgTranslateShape",
+    "mgMaterial", "mgDensity", "mgForceLimit", "mgRoundness", "mgShapeChamfer", "mgShapeScale", "mgHideEdges",
+    "mgStatic", "mgCategory", "mgMask", "mgSetShapeColor", "mgSetShapeMask",
     // obstacles: joints and motion
-    "mgCreateHingeJoint", "mgCreateBallJoint", "mgCreateSliderJoint", "mgCreateRope", "mgGetJointBodies", "mgIsConnected", "mgMove",
-    "mgRotate", "mgReleaseMotion", "mgSetVel", "mgSetAngVel", "mgClonePose",
+    "mgCreateHingeJoint", "mgCreateBallJoint", "mgCreateSliderJoint", "mgCreateRope", "mgGetJointBodies",
+    "mgIsConnected", "mgMove", "mgRotate", "mgReleaseMotion", "mgSetVel", "mgSetAngVel", "mgClonePose",
     // obstacles: questions
-    "mgRaycast", "mgGetPos", "mgGetRot", "mgBodyPointToWorld", "mgBodyVecToWorld", "mgBodyContainsPoint", "mgGetShapeBody",
-    "mgShapeIsBroken", "mgBodyIsBroken", "mgGetCameraPos", "mgGetCameraSpeed", "mgCameraDistance", "mgGetGravity", "mgCanPass",
-    "mgHasBoss", "mgIsClosestBoss", "mgTime", "mgObstacleTime", "mgGetBeat", "mgGetColor",
+    "mgRaycast", "mgGetPos", "mgGetRot", "mgBodyPointToWorld", "mgBodyVecToWorld", "mgBodyContainsPoint",
+    "mgGetShapeBody", "mgShapeIsBroken", "mgBodyIsBroken", "mgGetCameraPos", "mgGetCameraSpeed", "mgCameraDistance",
+    "mgGetGravity", "mgCanPass", "mgHasBoss", "mgIsClosestBoss", "mgTime", "mgObstacleTime", "mgGetBeat", "mgGetColor",
     // obstacles: play
-    "mgScore", "mgGlow", "mgClear", "mgIsCleared", "mgCreateButton", "mgIsButtonDown", "mgSetButtonDown", "mgLaser", "mgSmoke",
-    "mgCameraShake", "mgBodyDecal", "mgCreateSound", "mgPlaySound"};
+    "mgScore", "mgGlow", "mgClear", "mgIsCleared", "mgCreateButton", "mgIsButtonDown", "mgSetButtonDown", "mgLaser",
+    "mgSmoke", "mgCameraShake", "mgBodyDecal", "mgCreateSound", "mgPlaySound"};
 
 constexpr std::size_t kFar = 3;
 
-/// Letters to change, add or leave out between two names. Source: Wagner and Fischer, The String-to-String Correction Problem, 1974.
+/// Letters to change, add or leave out between two names. Source: Wagner and Fischer, The String-to-String Correction
+/// Problem, 1974.
 std::size_t distanceBetween(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -1,5 +1,5 @@
-// content/script_names.h - the names that room and obstacle scripts of the community may call: to find misspelled calls without
-// running anything. The calls themselves belong to game/sim.
+// content/script_names.h - the names that room and obstacle scripts of the community may call: to find misspelled calls
+// without running anything. The calls themselves belong to game/sim.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
-// content/segment.h - a segment file as data: boxes, obstacles, decals, power-ups, water, with templates merged under them and every
-// value checked. All positions are in the segment's frame: right-handed, -Z forward, the segment lies in z of [-size.z, 0] [m].
-// Knows nothing of bodies, meshes or scripts; who builds them finds the line of each element here.
+// content/segment.h - a segment file as data: boxes, obstacles, decals, power-ups, water, with templates merged under
+// them and every value checked. All positions are in the segment's frame: right-handed, -Z forward, the segment lies in
+// z of [-size.z, 0] [m]. Knows nothing of bodies, meshes or scripts; who builds them finds the line of each element
+// here.
 #pragma once
 
 #include "engine/math/types.h"
@@ -27,18 +28,25 @@ struct Box {
   Vec3 position = Vec3::Zero();
   Vec3 halfExtents = Vec3(0.5f, 0.5f, 0.5f);  // all positive
   bool hidden = false;
-  bool visible = true;      // drawn; it collides either way
+  bool visible = true;  // drawn; it collides either way
   bool reflection = false;
   float glow = 0.0f;
   std::array<Vec3, 3> color = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};  // of the x, y and z faces, linear
-  std::array<int, 3> tile = {0, 0, 0};                                    // 0 to 63 of the atlas, per pair of faces
-  std::array<float, 3> tileSize = {1.0f, 1.0f, 1.0f};                     // [m], positive
-  std::array<int, 3> tileRotation = {0, 0, 0};                            // [quarter turns], 0 to 3
+  std::array<int, 3> tile = {0, 0, 0};                                     // 0 to 63 of the atlas, per pair of faces
+  std::array<float, 3> tileSize = {1.0f, 1.0f, 1.0f};                      // [m], positive
+  std::array<int, 3> tileRotation = {0, 0, 0};                             // [quarter turns], 0 to 3
   int line = 0;
 };
 
 /// Which modes an obstacle appears in: bits of Obstacle::modes.
-enum ModeBit : std::uint32_t { kTraining = 1, kClassicAndZen = 2, kMayhem = 4, kVersus = 16, kCoop = 32, kAllModes = 55 };
+enum ModeBit : std::uint32_t {
+  kTraining = 1,
+  kClassicAndZen = 2,
+  kMayhem = 4,
+  kVersus = 16,
+  kCoop = 32,
+  kAllModes = 55
+};
 
 struct Obstacle {
   Vec3 position = Vec3::Zero();
@@ -57,11 +65,11 @@ struct Obstacle {
 
 struct Decal {
   Vec3 position = Vec3::Zero();
-  Vec3 rotation = Vec3::Zero();       // [rad]
-  Vec2 size = Vec2(1.0f, 1.0f);       // [m]
-  int tile = 0;                       // 0 to 63 of the sprite atlas, -1 to -4 of the door emblems
+  Vec3 rotation = Vec3::Zero();  // [rad]
+  Vec2 size = Vec2(1.0f, 1.0f);  // [m]
+  int tile = 0;                  // 0 to 63 of the sprite atlas, -1 to -4 of the door emblems
   Vec4 color = Vec4(1.0f, 1.0f, 1.0f, 1.0f);
-  float blend = 1.0f;                 // 1 covers, 0 adds
+  float blend = 1.0f;  // 1 covers, 0 adds
   bool hidden = false;
   int line = 0;
 };
@@ -75,7 +83,7 @@ struct PowerUp {
 
 struct Water {
   Vec3 position = Vec3::Zero();
-  Vec2 halfExtents = Vec2(1.0f, 1.0f);    // in x and z [m], positive
+  Vec2 halfExtents = Vec2(1.0f, 1.0f);       // in x and z [m], positive
   std::array<int, 2> resolution = {32, 32};  // cells, 2 to 256
   bool hidden = false;
   int line = 0;
@@ -84,8 +92,9 @@ struct Water {
 struct Segment {
   std::string file;
   Vec3 size = Vec3(12.0f, 10.0f, 16.0f);  // full extents [m], positive
-  std::array<float, 6> light = {1, 1, 1, 1, 1, 1};  // on -X, +X, +Y, -Y, +Z, -Z faces: left, right, top, bottom, front, back
-  float softShadow = 0.6f;                // opacity, 0 to 1
+  std::array<float, 6> light = {1, 1, 1,
+                                1, 1, 1};  // on -X, +X, +Y, -Y, +Z, -Z faces: left, right, top, bottom, front, back
+  float softShadow = 0.6f;                 // opacity, 0 to 1
   std::optional<float> ambient;
   std::optional<std::array<float, 6>> fogColor;  // bottom, then top: a hint for previews
   std::vector<Box> boxes;
@@ -97,7 +106,8 @@ struct Segment {
   Problems problems;
 };
 
-/// Reads a segment. Never fails: an element that cannot be used is left out, a bad attribute has its default, and `problems` says so.
+/// Reads a segment. Never fails: an element that cannot be used is left out, a bad attribute has its default, and
+/// `problems` says so.
 Segment readSegment(const std::string& text, const std::string& file, const TemplateSet& templates);
 
 }  // namespace brittle::content

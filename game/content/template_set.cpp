@@ -17,7 +17,11 @@ Template readOne(const XmlFile& xml, const pugi::xml_node& node) {
       if (seen.insert(attribute.name()).second) {
         result.attributes.push_back({attribute.name(), attribute.value(), line});
       } else {
-        xml.report({xml.file(), line, std::string("duplicate attribute ") + attribute.name() + ": the first counts", attribute.value(), {}});
+        xml.report({xml.file(),
+                    line,
+                    std::string("duplicate attribute ") + attribute.name() + ": the first counts",
+                    attribute.value(),
+                    {}});
       }
     }
   }

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kBallBit = 0x80000000u;
 
 struct Ball {
   physics::BodyHandle body;
-  std::uint32_t number = 0;            // counts up in its room
+  std::uint32_t number = 0;  // counts up in its room
   template <class Archive>
   void serialize(Archive& a) {
     a(body);
@@ -31,8 +31,8 @@ struct BallStart {
   Vec3 velocity = Vec3::Zero();
 };
 
-/// The `count` balls of one throw, side by side. Each is lobbed so that, under `gravity` [m/s2] downwards, it crosses the aimed line at
-/// rules::kAimDistance from where it starts.
+/// The `count` balls of one throw, side by side. Each is lobbed so that, under `gravity` [m/s2] downwards, it crosses
+/// the aimed line at rules::kAimDistance from where it starts.
 std::vector<BallStart> throwBalls(const Camera& camera, const replay::Throw& aim, int count, float gravity);
 
 /// A steel ball in a world, awake.

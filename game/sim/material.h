@@ -20,10 +20,10 @@ struct Material {
   float density = 1.0f;
   float friction = 0.7f;
   float restitution = 0.0f;
-  float forceLimit = 0.0f;             // 0: unbreakable
+  float forceLimit = 0.0f;  // 0: unbreakable
   std::uint32_t category = 1;
   std::uint32_t mask = 255;
-  std::int32_t staticMode = 0;         // 0 dynamic, 1 static, 2 animated
+  std::int32_t staticMode = 0;  // 0 dynamic, 1 static, 2 animated
 
   template <class Archive>
   void serialize(Archive& a) {

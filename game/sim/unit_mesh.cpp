@@ -21,7 +21,9 @@ std::vector<Vec2> arc(int corners, float from, float to, bool closed) {
   return points;
 }
 
-Result<geometry::Convex> prism(std::vector<Vec2> polygon) { return geometry::makePrism(polygon, 0.5f); }
+Result<geometry::Convex> prism(std::vector<Vec2> polygon) {
+  return geometry::makePrism(polygon, 0.5f);
+}
 
 /// A slice of a disc of `parts` slices, its tip in the middle.
 Result<geometry::Convex> slice(int parts) {
@@ -39,8 +41,8 @@ Result<geometry::Convex> unitMesh(const std::string& name) {
     return geometry::makeHull(points);
   }
   if (name == "diamond") {
-    const std::vector<Vec3> points = {Vec3(0.5f, 0.0f, 0.0f), Vec3(-0.5f, 0.0f, 0.0f), Vec3(0.0f, 0.5f, 0.0f),
-                                      Vec3(0.0f, -0.5f, 0.0f), Vec3(0.0f, 0.0f, 0.5f), Vec3(0.0f, 0.0f, -0.5f)};
+    const std::vector<Vec3> points = {Vec3(0.5f, 0.0f, 0.0f),  Vec3(-0.5f, 0.0f, 0.0f), Vec3(0.0f, 0.5f, 0.0f),
+                                      Vec3(0.0f, -0.5f, 0.0f), Vec3(0.0f, 0.0f, 0.5f),  Vec3(0.0f, 0.0f, -0.5f)};
     return geometry::makeHull(points);
   }
   if (name == "pin") {
@@ -61,7 +63,9 @@ Result<geometry::Convex> unitMesh(const std::string& name) {
   if (name == "triangle2") return prism({Vec2(-0.5f, -0.5f), Vec2(0.5f, -0.5f), Vec2(-0.5f, 0.5f)});
   if (name == "circleseg") return slice(8);
   if (name == "circleseg6") return slice(6);
-  return Error{"mesh \"" + name + "\": unknown, expected pyramid, diamond, pin, 3gon to 6gon, triangle, triangle2, circleseg or circleseg6"};
+  return Error{
+      "mesh \"" + name +
+      "\": unknown, expected pyramid, diamond, pin, 3gon to 6gon, triangle, triangle2, circleseg or circleseg6"};
 }
 
 }  // namespace brittle::sim

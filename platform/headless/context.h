@@ -1,4 +1,5 @@
-// platform/headless/context.h - the kinds of off-screen GL context behind one small interface; see headless.h for their use.
+// platform/headless/context.h - the kinds of off-screen GL context behind one small interface; see headless.h for their
+// use.
 #pragma once
 
 #include <memory>

@@ -11,14 +11,14 @@ namespace brittle::platform {
 namespace {
 
 // name, type: the functions of libEGL we use.
-#define BR_EGL_FUNCTIONS(X)                                   \
-  X(GetProcAddress, PFNEGLGETPROCADDRESSPROC)                 \
-  X(GetPlatformDisplay, PFNEGLGETPLATFORMDISPLAYPROC)         \
-  X(Initialize, PFNEGLINITIALIZEPROC)                         \
-  X(BindAPI, PFNEGLBINDAPIPROC)                               \
-  X(CreateContext, PFNEGLCREATECONTEXTPROC)                   \
-  X(MakeCurrent, PFNEGLMAKECURRENTPROC)                       \
-  X(DestroyContext, PFNEGLDESTROYCONTEXTPROC)                 \
+#define BR_EGL_FUNCTIONS(X)                           \
+  X(GetProcAddress, PFNEGLGETPROCADDRESSPROC)         \
+  X(GetPlatformDisplay, PFNEGLGETPLATFORMDISPLAYPROC) \
+  X(Initialize, PFNEGLINITIALIZEPROC)                 \
+  X(BindAPI, PFNEGLBINDAPIPROC)                       \
+  X(CreateContext, PFNEGLCREATECONTEXTPROC)           \
+  X(MakeCurrent, PFNEGLMAKECURRENTPROC)               \
+  X(DestroyContext, PFNEGLDESTROYCONTEXTPROC)         \
   X(GetError, PFNEGLGETERRORPROC)
 
 struct Egl {
@@ -31,9 +31,10 @@ Result<Egl> loadEgl() {
   const Result<Library> library = Library::open("libEGL.so.1", "libegl1 libegl-mesa0");
   if (!library) return library.error();
   Egl egl;
-#define BR_EGL_LOAD(name, type)                      \
-  egl.name = library->find<type>("egl" #name);       \
-  if (egl.name == nullptr) return Error{"libEGL.so.1 lacks egl" #name ": EGL 1.5 is needed (apt-get install libegl1)"};
+#define BR_EGL_LOAD(name, type)                                                                               \
+  egl.name = library->find<type>("egl" #name);                                                                \
+  if (egl.name == nullptr) return Error{"libEGL.so.1 lacks egl" #name ": EGL 1.5 is needed (apt-get install " \
+                                                                      "libegl1)"};
   BR_EGL_FUNCTIONS(BR_EGL_LOAD)
 #undef BR_EGL_LOAD
   return egl;
@@ -41,7 +42,9 @@ Result<Egl> loadEgl() {
 
 Egl loadedEgl;  // the GL loader is a plain function and needs it
 
-void* findGl(const char* name) { return reinterpret_cast<void*>(loadedEgl.GetProcAddress(name)); }
+void* findGl(const char* name) {
+  return reinterpret_cast<void*>(loadedEgl.GetProcAddress(name));
+}
 
 class EglContext : public Context {
  public:

@@ -13,7 +13,8 @@ using Clock = std::chrono::steady_clock;
 
 class HeadlessPlatform : public Headless {
  public:
-  HeadlessPlatform(std::unique_ptr<Context> context, runtime::PictureSize size) : context_(std::move(context)), size_(size) {}
+  HeadlessPlatform(std::unique_ptr<Context> context, runtime::PictureSize size)
+      : context_(std::move(context)), size_(size) {}
 
   runtime::PictureSize size() const override { return size_; }
   void pollEvents(std::vector<runtime::Event>& events) override {
@@ -39,9 +40,12 @@ class HeadlessPlatform : public Headless {
 
 Result<std::unique_ptr<Context>> createContext(HeadlessBackend backend) {
   switch (backend) {
-    case HeadlessBackend::Egl: return createEglContext();
-    case HeadlessBackend::OsMesa: return createOsMesaContext();
-    case HeadlessBackend::Null: break;
+    case HeadlessBackend::Egl:
+      return createEglContext();
+    case HeadlessBackend::OsMesa:
+      return createOsMesaContext();
+    case HeadlessBackend::Null:
+      break;
   }
   return createNullContext();
 }
@@ -50,9 +54,12 @@ Result<std::unique_ptr<Context>> createContext(HeadlessBackend backend) {
 
 const char* nameOf(HeadlessBackend backend) {
   switch (backend) {
-    case HeadlessBackend::Egl: return "egl";
-    case HeadlessBackend::OsMesa: return "osmesa";
-    case HeadlessBackend::Null: return "null";
+    case HeadlessBackend::Egl:
+      return "egl";
+    case HeadlessBackend::OsMesa:
+      return "osmesa";
+    case HeadlessBackend::Null:
+      return "null";
   }
   return "";
 }

@@ -10,6 +10,8 @@ Result<Library> Library::open(const std::string& file, const std::string& packag
   return Library(handle);
 }
 
-void* Library::findAddress(const char* name) const { return dlsym(handle_, name); }
+void* Library::findAddress(const char* name) const {
+  return dlsym(handle_, name);
+}
 
 }  // namespace brittle::platform

@@ -9,7 +9,8 @@ namespace brittle::platform {
 
 class Library {
  public:
-  /// Fails with the file's name and the Debian package that brings it. Never closed: drivers keep threads and static memory.
+  /// Fails with the file's name and the Debian package that brings it. Never closed: drivers keep threads and static
+  /// memory.
   static Result<Library> open(const std::string& file, const std::string& package);
 
   /// Null if it has no such function.

@@ -37,7 +37,9 @@ Status loadOsMesa() {
   return Done{};
 }
 
-void* findGl(const char* name) { return reinterpret_cast<void*>(loadedOsMesa.getProcAddress(name)); }
+void* findGl(const char* name) {
+  return reinterpret_cast<void*>(loadedOsMesa.getProcAddress(name));
+}
 
 class OsMesaHolder : public Context {
  public:
@@ -61,8 +63,15 @@ class OsMesaHolder : public Context {
 Result<std::unique_ptr<Context>> createOsMesaContext() {
   const Status loaded = loadOsMesa();
   if (!loaded) return loaded.error();
-  const int wanted[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                        OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+  const int wanted[] = {OSMESA_FORMAT,
+                        OSMESA_RGBA,
+                        OSMESA_PROFILE,
+                        OSMESA_CORE_PROFILE,
+                        OSMESA_CONTEXT_MAJOR_VERSION,
+                        3,
+                        OSMESA_CONTEXT_MINOR_VERSION,
+                        3,
+                        0};
   OSMesaContext context = loadedOsMesa.createContext(wanted, nullptr);
   if (context == nullptr) return Error{"OSMesa: no core profile context"};
   std::unique_ptr<OsMesaHolder> holder(new OsMesaHolder(context));

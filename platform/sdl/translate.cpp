@@ -10,18 +10,29 @@ namespace {
 
 Key keyOf(SDL_Keycode code) {
   switch (code) {
-    case SDLK_ESCAPE: return Key::Escape;
+    case SDLK_ESCAPE:
+      return Key::Escape;
     case SDLK_RETURN:
-    case SDLK_KP_ENTER: return Key::Enter;
-    case SDLK_SPACE: return Key::Space;
-    case SDLK_BACKSPACE: return Key::Backspace;
-    case SDLK_LEFT: return Key::Left;
-    case SDLK_RIGHT: return Key::Right;
-    case SDLK_UP: return Key::Up;
-    case SDLK_DOWN: return Key::Down;
-    case SDLK_AC_BACK: return Key::Back;
-    case SDLK_F3: return Key::F3;
-    default: return code > SDLK_SPACE && code < SDLK_DELETE ? Key::Character : Key::Other;
+    case SDLK_KP_ENTER:
+      return Key::Enter;
+    case SDLK_SPACE:
+      return Key::Space;
+    case SDLK_BACKSPACE:
+      return Key::Backspace;
+    case SDLK_LEFT:
+      return Key::Left;
+    case SDLK_RIGHT:
+      return Key::Right;
+    case SDLK_UP:
+      return Key::Up;
+    case SDLK_DOWN:
+      return Key::Down;
+    case SDLK_AC_BACK:
+      return Key::Back;
+    case SDLK_F3:
+      return Key::F3;
+    default:
+      return code > SDLK_SPACE && code < SDLK_DELETE ? Key::Character : Key::Other;
   }
 }
 
@@ -32,7 +43,8 @@ void EventTranslator::setSizes(runtime::PictureSize window, runtime::PictureSize
   picture_ = picture;
 }
 
-void EventTranslator::addPointer(EventKind kind, std::uint32_t pointer, float x, float y, std::vector<Event>& out) const {
+void EventTranslator::addPointer(EventKind kind, std::uint32_t pointer, float x, float y,
+                                 std::vector<Event>& out) const {
   Event event;
   event.kind = kind;
   event.pointer = pointer;
@@ -82,35 +94,52 @@ void EventTranslator::addKey(const SDL_KeyboardEvent& key, std::vector<Event>& o
 void EventTranslator::addWindow(const SDL_WindowEvent& window, std::vector<Event>& out) {
   Event event;
   switch (window.event) {
-    case SDL_WINDOWEVENT_FOCUS_LOST: event.kind = EventKind::FocusLost; break;
-    case SDL_WINDOWEVENT_FOCUS_GAINED: event.kind = EventKind::FocusGained; break;
+    case SDL_WINDOWEVENT_FOCUS_LOST:
+      event.kind = EventKind::FocusLost;
+      break;
+    case SDL_WINDOWEVENT_FOCUS_GAINED:
+      event.kind = EventKind::FocusGained;
+      break;
     case SDL_WINDOWEVENT_SIZE_CHANGED:
       event.kind = EventKind::Resized;
       event.width = picture_.width;
       event.height = picture_.height;
       break;
-    default: return;
+    default:
+      return;
   }
   out.push_back(event);
 }
 
 void EventTranslator::translate(const SDL_Event& event, std::vector<Event>& out) {
   switch (event.type) {
-    case SDL_QUIT: out.push_back({}); break;
-    case SDL_WINDOWEVENT: addWindow(event.window, out); break;
+    case SDL_QUIT:
+      out.push_back({});
+      break;
+    case SDL_WINDOWEVENT:
+      addWindow(event.window, out);
+      break;
     case SDL_FINGERDOWN:
     case SDL_FINGERMOTION:
-    case SDL_FINGERUP: addFinger(event.tfinger, out); break;
+    case SDL_FINGERUP:
+      addFinger(event.tfinger, out);
+      break;
     case SDL_MOUSEBUTTONDOWN:
-    case SDL_MOUSEBUTTONUP: addMouseButton(event.button, out); break;
+    case SDL_MOUSEBUTTONUP:
+      addMouseButton(event.button, out);
+      break;
     case SDL_MOUSEMOTION:
       if (event.motion.which == SDL_TOUCH_MOUSEID) break;
-      addPointer(EventKind::PointerMoved, runtime::kMousePointer, static_cast<float>(event.motion.x) / static_cast<float>(window_.width),
+      addPointer(EventKind::PointerMoved, runtime::kMousePointer,
+                 static_cast<float>(event.motion.x) / static_cast<float>(window_.width),
                  static_cast<float>(event.motion.y) / static_cast<float>(window_.height), out);
       break;
     case SDL_KEYDOWN:
-    case SDL_KEYUP: addKey(event.key, out); break;
-    default: break;
+    case SDL_KEYUP:
+      addKey(event.key, out);
+      break;
+    default:
+      break;
   }
 }
 

@@ -14,12 +14,13 @@ class EventTranslator {
   /// `window`: size in points, what mouse events count in. `picture`: size in pixels, what the runtime counts in.
   void setSizes(runtime::PictureSize window, runtime::PictureSize picture);
 
-  /// Appends what `event` means, if anything. Mouse events that SDL makes from touches are left out, and of the mouse only the left
-  /// button counts. Fingers get the lowest free number from 1 and keep it until they leave.
+  /// Appends what `event` means, if anything. Mouse events that SDL makes from touches are left out, and of the mouse
+  /// only the left button counts. Fingers get the lowest free number from 1 and keep it until they leave.
   void translate(const SDL_Event& event, std::vector<runtime::Event>& out);
 
  private:
-  void addPointer(runtime::EventKind kind, std::uint32_t pointer, float x, float y, std::vector<runtime::Event>& out) const;
+  void addPointer(runtime::EventKind kind, std::uint32_t pointer, float x, float y,
+                  std::vector<runtime::Event>& out) const;
   void addFinger(const SDL_TouchFingerEvent& finger, std::vector<runtime::Event>& out);
   void addMouseButton(const SDL_MouseButtonEvent& button, std::vector<runtime::Event>& out);
   void addKey(const SDL_KeyboardEvent& key, std::vector<runtime::Event>& out) const;

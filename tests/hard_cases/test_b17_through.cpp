@@ -1,6 +1,7 @@
-// B17: a ball of 0.1 kg and 2 cm radius at 100 m/s meets a 2 cm anchored pane head-on; it travels 1.67 m per tick. From 64 phases of
-// the gap it is neither stopped nor does it pass without breaking; momentum balances to 1e-5 with the J the anchors took; the exit
-// speed is at most v0 - J/M, and within 2 % of it when the shards in its path are light; kinetic energy never rises.
+// B17: a ball of 0.1 kg and 2 cm radius at 100 m/s meets a 2 cm anchored pane head-on; it travels 1.67 m per tick. From
+// 64 phases of the gap it is neither stopped nor does it pass without breaking; momentum balances to 1e-5 with the J
+// the anchors took; the exit speed is at most v0 - J/M, and within 2 % of it when the shards in its path are light;
+// kinetic energy never rises.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"

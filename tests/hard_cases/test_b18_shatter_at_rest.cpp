@@ -1,5 +1,5 @@
-// B18: a block of 1 m at rest, no gravity, is cut into 100 shards in place without an impulse. The shards stay where they are: none is
-// faster than 1e-3 m/s after 1 s, none has moved by more than the slop.
+// B18: a block of 1 m at rest, no gravity, is cut into 100 shards in place without an impulse. The shards stay where
+// they are: none is faster than 1e-3 m/s after 1 s, none has moved by more than the slop.
 #include <gtest/gtest.h>
 
 #include "engine/physics/collide.h"
@@ -47,11 +47,17 @@ void shatterAndWait(fracture::Pattern pattern, const Vec3& point, float turn, st
   EXPECT_LT(fastest, 1e-3f);
 }
 
-TEST(B18, DiceOfABlockStayWhereTheyWereCut) { shatterAndWait(fracture::Pattern::Tempered, Vec3(0.1f, 0.5f, -0.05f), 0.0f, 100); }
+TEST(B18, DiceOfABlockStayWhereTheyWereCut) {
+  shatterAndWait(fracture::Pattern::Tempered, Vec3(0.1f, 0.5f, -0.05f), 0.0f, 100);
+}
 
-TEST(B18, DiceOfATurnedBlockStayWhereTheyWereCut) { shatterAndWait(fracture::Pattern::Tempered, Vec3(-0.2f, 0.5f, 0.1f), 1.0f, 100); }
+TEST(B18, DiceOfATurnedBlockStayWhereTheyWereCut) {
+  shatterAndWait(fracture::Pattern::Tempered, Vec3(-0.2f, 0.5f, 0.1f), 1.0f, 100);
+}
 
-TEST(B18, ShardsOfABlockStayWhereTheyWereCut) { shatterAndWait(fracture::Pattern::Block, Vec3(0.1f, 0.5f, -0.05f), 0.4f, 80); }
+TEST(B18, ShardsOfABlockStayWhereTheyWereCut) {
+  shatterAndWait(fracture::Pattern::Block, Vec3(0.1f, 0.5f, -0.05f), 0.4f, 80);
+}
 
 }  // namespace
 }  // namespace brittle::physics

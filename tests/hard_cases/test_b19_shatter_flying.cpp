@@ -1,6 +1,7 @@
-// B19: a block that flies and spins at 10 rad/s is cut into shards. Every shard goes on with v + w x r to 1e-5; linear and angular
-// momentum are conserved to 1e-5, at the cut and by the contacts of the tick after it. (A body in free flight keeps its angular velocity,
-// not its angular momentum, while it turns: the tick is compared at the poses it began with.)
+// B19: a block that flies and spins at 10 rad/s is cut into shards. Every shard goes on with v + w x r to 1e-5; linear
+// and angular momentum are conserved to 1e-5, at the cut and by the contacts of the tick after it. (A body in free
+// flight keeps its angular velocity, not its angular momentum, while it turns: the tick is compared at the poses it
+// began with.)
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -36,7 +37,9 @@ struct Flight {
   }
 };
 
-double relativeDifference(const Vec3d& a, const Vec3d& b) { return (a - b).norm() / b.norm(); }
+double relativeDifference(const Vec3d& a, const Vec3d& b) {
+  return (a - b).norm() / b.norm();
+}
 
 Totals afterOneTickAtTheOldPoses(World& world) {
   std::vector<BodyHandle> handles;

@@ -1,6 +1,7 @@
-// B20: a body made 10 % deep inside something breakable breaks nothing while it is pushed out: only an impulse of relative velocity
-// counts. A weak pane and a weak block, balls and boxes, with and without gravity, in every fracture mode. Engines that push out with
-// velocities break here in the naive mode; ours pushes positions only, so its naive mode does not either.
+// B20: a body made 10 % deep inside something breakable breaks nothing while it is pushed out: only an impulse of
+// relative velocity counts. A weak pane and a weak block, balls and boxes, with and without gravity, in every fracture
+// mode. Engines that push out with velocities break here in the naive mode; ours pushes positions only, so its naive
+// mode does not either.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
@@ -45,7 +46,8 @@ TEST(B20, PushingOutBreaksNothing) {
       float fastest = 0.0f;
       for (int tick = 0; tick < 120; ++tick) {
         world.step(kTick);
-        ASSERT_EQ(world.counters().breaks, 0u) << "mode " << static_cast<int>(mode) << ", how " << i << ", tick " << tick;
+        ASSERT_EQ(world.counters().breaks, 0u)
+            << "mode " << static_cast<int>(mode) << ", how " << i << ", tick " << tick;
         fastest = maxOf(fastest, world.body(body).velocity.norm());
       }
       if (how.gravity) continue;

@@ -1,6 +1,7 @@
-// B22: hinge, ball, weld and slider on a plate that is broken, with the pivot inside one piece, on a cut between two, and in the
-// volume that is carved out. The joint moves to the piece that contains its anchor (on a cut: to one of the two), or is gone if that
-// was carved out; no jump: the anchor error after the tick is below the slop of 1e-4 m; no handle to something that is gone is left.
+// B22: hinge, ball, weld and slider on a plate that is broken, with the pivot inside one piece, on a cut between two,
+// and in the volume that is carved out. The joint moves to the piece that contains its anchor (on a cut: to one of the
+// two), or is gone if that was carved out; no jump: the anchor error after the tick is below the slop of 1e-4 m; no
+// handle to something that is gone is left.
 #include <gtest/gtest.h>
 
 #include "engine/physics/state.h"
@@ -12,8 +13,8 @@ namespace {
 constexpr float kSlop = 1e-4f;  // [m]
 constexpr JointType kTypes[] = {JointType::Hinge, JointType::Ball, JointType::Weld, JointType::Slider};
 
-/// A free plate of glass struck off its middle. The pattern depends on the seed and the blow alone, so a first breaking tells where
-/// the cuts of the second one will be.
+/// A free plate of glass struck off its middle. The pattern depends on the seed and the blow alone, so a first breaking
+/// tells where the cuts of the second one will be.
 struct Plate {
   World world;
   BodyHandle body, partner;
@@ -59,7 +60,8 @@ struct Places {
   std::vector<Vec3> inside, onCuts, carved;
 };
 
-/// Points of the pieces of a first breaking, in the plate's frame: middles of what remains, of cuts between remains, of fragments.
+/// Points of the pieces of a first breaking, in the plate's frame: middles of what remains, of cuts between remains, of
+/// fragments.
 Places findPlaces() {
   Plate plate;
   const ShapeHandle whole = plate.world.body(plate.body).firstShape;
@@ -106,7 +108,8 @@ TEST(B22, PivotsInsideAPieceGoWithIt) {
         const Joint& joint = plate.world.joint(plate.joint);
         const ShapeHandle owner = asB ? joint.b : joint.a;
         ASSERT_TRUE(plate.world.isAlive(owner));
-        EXPECT_TRUE(geometry::containsPoint(proxyOf(plate.world.shape(owner), plate.world.meshes()), Transform{}, anchor));
+        EXPECT_TRUE(
+            geometry::containsPoint(proxyOf(plate.world.shape(owner), plate.world.meshes()), Transform{}, anchor));
         worst = maxOf(worst, plate.anchorError());
       }
     }

@@ -1,6 +1,6 @@
-// B23: a chain of 20 links of glass swings down from the horizontal; the middle link is shot in the very tick in which its joint
-// carries 90 % of the most it ever carries. No NaN; the largest anchor error afterwards is below twice the one before; energy does
-// not rise in the tick of the break (beyond 1e-6 of what the bodies move) nor in any later one.
+// B23: a chain of 20 links of glass swings down from the horizontal; the middle link is shot in the very tick in which
+// its joint carries 90 % of the most it ever carries. No NaN; the largest anchor error afterwards is below twice the
+// one before; energy does not rise in the tick of the break (beyond 1e-6 of what the bodies move) nor in any later one.
 #include <gtest/gtest.h>
 
 #include "engine/physics/state.h"

@@ -1,5 +1,5 @@
-// B24: a ball rests on a cracked pane that holds its weight: 10 s with less than 1 mm of drift and no break. Then the strength is
-// lowered below the weight: the pane breaks once, and the ball falls with v = g t within 2 %.
+// B24: a ball rests on a cracked pane that holds its weight: 10 s with less than 1 mm of drift and no break. Then the
+// strength is lowered below the weight: the pane breaks once, and the ball falls with v = g t within 2 %.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
@@ -53,7 +53,9 @@ TEST(B24, TheBallRestsThenFalls) {
   }
 }
 
-TEST(B24, ASleepingBallFallsAsWell) { restAndFall(true, 1.0f / 60.0f); }
+TEST(B24, ASleepingBallFallsAsWell) {
+  restAndFall(true, 1.0f / 60.0f);
+}
 
 }  // namespace
 }  // namespace brittle::physics

@@ -1,6 +1,7 @@
-// B25: 2, 8 and 64 balls strike one pane in the same tick, also one body with two contacts. The pane breaks once, each ball pays J once
-// and leaves with v0 - J/M within 2 %, a body with two contacts too. Whoever was made first, the shards are the same to the bit: impacts
-// on one body are taken in the order of their places. (Contacts between shards are solved in the order of their slots.)
+// B25: 2, 8 and 64 balls strike one pane in the same tick, also one body with two contacts. The pane breaks once, each
+// ball pays J once and leaves with v0 - J/M within 2 %, a body with two contacts too. Whoever was made first, the
+// shards are the same to the bit: impacts on one body are taken in the order of their places. (Contacts between shards
+// are solved in the order of their slots.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +74,8 @@ TEST_P(B25, EveryBallPaysOnceWhoeverWasMadeFirst) {
   const Outcome first = shoot(count, order);
   EXPECT_EQ(first.breaks, 1u);
   const float exact = kSpeed - kStrength;
-  for (std::size_t i = 0; i < first.exitSpeeds.size(); ++i) EXPECT_NEAR(first.exitSpeeds[i], exact, 0.02f * exact) << "ball " << i;
+  for (std::size_t i = 0; i < first.exitSpeeds.size(); ++i)
+    EXPECT_NEAR(first.exitSpeeds[i], exact, 0.02f * exact) << "ball " << i;
   Random random(25, static_cast<std::uint64_t>(count));
   for (int shuffle = 0; shuffle < 3; ++shuffle) {
     for (std::uint32_t i = 0; i + 1 < order.size(); ++i) {

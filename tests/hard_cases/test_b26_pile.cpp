@@ -1,6 +1,6 @@
-// B26: a pile of 1000 breakable boxes drops onto the floor, weak enough that everything breaks. Every tick ends within the allowed
-// rounds; work per body stays bounded; no contact, joint or strike refers to what is gone; what is put off breaks in the next tick:
-// none is lost.
+// B26: a pile of 1000 breakable boxes drops onto the floor, weak enough that everything breaks. Every tick ends within
+// the allowed rounds; work per body stays bounded; no contact, joint or strike refers to what is gone; what is put off
+// breaks in the next tick: none is lost.
 #include <gtest/gtest.h>
 
 #include "engine/physics/state.h"
@@ -33,7 +33,8 @@ TEST(B26, APileInWhichEverythingBreaksIsDoneInTheAllowedRounds) {
   addFloor(world, 10.0f);
   std::vector<BodyHandle> boxes;
   for (int i = 0; i < static_cast<int>(kBoxes); ++i) {
-    BodyDef box = bodyAt(Vec3(0.205f * static_cast<float>(i % 10), 0.3f + 0.205f * static_cast<float>(i / 100), 0.205f * static_cast<float>(i / 10 % 10)));
+    BodyDef box = bodyAt(Vec3(0.205f * static_cast<float>(i % 10), 0.3f + 0.205f * static_cast<float>(i / 100),
+                              0.205f * static_cast<float>(i / 10 % 10)));
     box.velocity = Vec3(0.0f, -6.0f, 0.0f);
     box.breakable.strength = 0.05f;
     box.breakable.material.pattern = fracture::Pattern::Block;

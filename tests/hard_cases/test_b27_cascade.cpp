@@ -1,6 +1,7 @@
-// B27: a cascade. Of two kinds: one striker that breaks its way through, and pieces that push on. First the striker: breaking A lets the striker reach B in round 2, C in round 3 and D in round 4 of the same tick. With 3 rounds D is
-// put off, reported as held, and breaks first thing in the next tick; with unbounded rounds all break at once. Either way the final
-// momentum of the striker is the same to 1e-3 of what it had, and exact to 2 %.
+// B27: a cascade. Of two kinds: one striker that breaks its way through, and pieces that push on. First the striker:
+// breaking A lets the striker reach B in round 2, C in round 3 and D in round 4 of the same tick. With 3 rounds D is
+// put off, reported as held, and breaks first thing in the next tick; with unbounded rounds all break at once. Either
+// way the final momentum of the striker is the same to 1e-3 of what it had, and exact to 2 %.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
@@ -59,9 +60,9 @@ TEST(B27, WhatThreeRoundsPutOffBreaksInTheNextTick) {
   }
 }
 
-// Pieces that push on: the ball can touch nothing but A and what becomes of it, A only B, and so on. So nothing reaches B
-// before A is broken, nor C before B is. Each slab costs the whole its strength, whoever pays it: what moves has M v - 4 J
-// in the end, to 1e-4.
+// Pieces that push on: the ball can touch nothing but A and what becomes of it, A only B, and so on. So nothing reaches
+// B before A is broken, nor C before B is. Each slab costs the whole its strength, whoever pays it: what moves has M v
+// - 4 J in the end, to 1e-4.
 struct Dominoes {
   std::vector<std::uint32_t> breaks, held;  // by tick, from the first break on
   double before = 0.0;                      // momentum of all that moves, along the way [N s]

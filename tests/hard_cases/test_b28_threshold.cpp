@@ -1,5 +1,5 @@
-// B28: the threshold is an edge. A ball whose momentum is J (1 - 1e-6) breaks nothing and rebounds as from a rigid wall; one of
-// J (1 + 1e-6) breaks the pane. Over 1000 speeds there is one crossing only.
+// B28: the threshold is an edge. A ball whose momentum is J (1 - 1e-6) breaks nothing and rebounds as from a rigid
+// wall; one of J (1 + 1e-6) breaks the pane. Over 1000 speeds there is one crossing only.
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
@@ -41,8 +41,10 @@ TEST(B28, AMillionthBelowReboundsAndAMillionthAboveBreaks) {
       const Outcome rigid = hit(1.0 - 1e-6, 0.0f, gap, restitution);
       EXPECT_FALSE(below.broke) << "phase " << phase << ", restitution " << restitution;
       EXPECT_NEAR(below.speed, rigid.speed, 1e-5f * kStrength) << "phase " << phase << ", restitution " << restitution;
-      EXPECT_NEAR(below.speed, restitution * kStrength, 1e-4f * kStrength) << "phase " << phase << ", restitution " << restitution;
-      EXPECT_TRUE(hit(1.0 + 1e-6, kStrength, gap, restitution).broke) << "phase " << phase << ", restitution " << restitution;
+      EXPECT_NEAR(below.speed, restitution * kStrength, 1e-4f * kStrength)
+          << "phase " << phase << ", restitution " << restitution;
+      EXPECT_TRUE(hit(1.0 + 1e-6, kStrength, gap, restitution).broke)
+          << "phase " << phase << ", restitution " << restitution;
     }
   }
 }

@@ -1,5 +1,6 @@
-// B29: mass ratios of 1 to 1e4: a glass box of 1 kg under one of 1e4 kg, and a stack of ten that alternate. They stand for 10 s with
-// overlaps below 5 % of a box, the impulses reported add up to weight x dt within 5 %, and nothing breaks at a limit of 2x the static load.
+// B29: mass ratios of 1 to 1e4: a glass box of 1 kg under one of 1e4 kg, and a stack of ten that alternate. They stand
+// for 10 s with overlaps below 5 % of a box, the impulses reported add up to weight x dt within 5 %, and nothing breaks
+// at a limit of 2x the static load.
 #include <gtest/gtest.h>
 
 #include "engine/physics/state.h"
@@ -8,10 +9,10 @@
 namespace brittle::physics {
 namespace {
 
-constexpr float kHalf = 0.5f;       // [m]
-constexpr float kLight = 1.0f;      // [kg]
-constexpr float kHeavy = 1e4f;      // [kg]
-constexpr float kGravity = 9.81f;   // [m/s2]
+constexpr float kHalf = 0.5f;      // [m]
+constexpr float kLight = 1.0f;     // [kg]
+constexpr float kHeavy = 1e4f;     // [kg]
+constexpr float kGravity = 9.81f;  // [m/s2]
 
 struct Stack {
   World world;
@@ -59,7 +60,8 @@ TEST_P(B29, StandsAndReportsItsWeight) {
     breaks += stack.world.counters().breaks;
   }
   EXPECT_EQ(breaks, 0u);
-  // At rest for good they keep their place; solved anew for 600 ticks they may creep (measured 0.24 m) but stay on each other.
+  // At rest for good they keep their place; solved anew for 600 ticks they may creep (measured 0.24 m) but stay on each
+  // other.
   const float creep = deactivation ? 0.05f : kHalf;
   float below = 0.0f;  // top of the box below
   for (std::size_t i = 0; i < stack.boxes.size(); ++i) {

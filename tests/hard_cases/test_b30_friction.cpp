@@ -1,5 +1,5 @@
-// B30: glancing, tangential and spinning hits. The friction of a contact whose normal impulse is capped at J is at most mu J; nothing
-// gains kinetic energy; a hit without normal speed breaks nothing.
+// B30: glancing, tangential and spinning hits. The friction of a contact whose normal impulse is capped at J is at most
+// mu J; nothing gains kinetic energy; a hit without normal speed breaks nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,11 +73,12 @@ TEST(B30, FrictionIsBoundedByTheCappedImpulse) {
     hit.tangential = speed * sine(angle);
     const Outcome outcome = strike(hit, "hit " + std::to_string(i));
     const float mu = std::sqrt(0.5f * hit.friction);  // the ball's own is 0.5; a pair uses the geometric mean
-    // (Later a glancing ball meets the rim of its hole, which breaks again: the tick of the first break is looked at. What the shards in
-    // its way take, they weigh about a thousandth of it, is in the second term.)
+    // (Later a glancing ball meets the rim of its hole, which breaks again: the tick of the first break is looked at.
+    // What the shards in its way take, they weigh about a thousandth of it, is in the second term.)
     const float shards = 2e-3f * kMass * speed;
     EXPECT_LE(outcome.normalImpulse, kStrength + shards) << "hit " << i;
-    EXPECT_LE(outcome.tangentialImpulse, mu * kStrength + shards) << "hit " << i << " at " << angle << " rad, " << speed << " m/s";
+    EXPECT_LE(outcome.tangentialImpulse, mu * kStrength + shards)
+        << "hit " << i << " at " << angle << " rad, " << speed << " m/s";
     if (hit.normal * kMass > 1.01f * kStrength) {
       EXPECT_TRUE(outcome.broke) << "hit " << i;
     } else if (hit.normal * kMass < 0.99f * kStrength) {

@@ -1,6 +1,6 @@
-// B34: bodies at rest are put to sleep; whatever ends their rest wakes them. A sleeping cluster of shards that is hit, one whose
-// supporting shard is destroyed, and an island left without support: all that is touched wakes within 1 step, and nothing floats: half a
-// second later no sleeping body is without support.
+// B34: bodies at rest are put to sleep; whatever ends their rest wakes them. A sleeping cluster of shards that is hit,
+// one whose supporting shard is destroyed, and an island left without support: all that is touched wakes within 1 step,
+// and nothing floats: half a second later no sleeping body is without support.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -22,11 +22,15 @@ bool areNear(const World& world, const Shape& a, const Shape& b, float gap) {
   const State& state = world.state();
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
-  if (bodyA.isDynamic() && bodyB.isDynamic() && (bodyA.center - bodyB.center).norm() > bodyA.radius + bodyB.radius + gap) return false;
-  return geometry::overlaps(proxyOf(a, state.meshes), state.bodyOf(a).pose, proxyOf(b, state.meshes), state.bodyOf(b).pose, gap);
+  if (bodyA.isDynamic() && bodyB.isDynamic() &&
+      (bodyA.center - bodyB.center).norm() > bodyA.radius + bodyB.radius + gap)
+    return false;
+  return geometry::overlaps(proxyOf(a, state.meshes), state.bodyOf(a).pose, proxyOf(b, state.meshes),
+                            state.bodyOf(b).pose, gap);
 }
 
-/// Bodies that stand on the static world, directly or through others: found by distance alone, without the engine's contacts.
+/// Bodies that stand on the static world, directly or through others: found by distance alone, without the engine's
+/// contacts.
 std::vector<bool> standing(const World& world) {
   const State& state = world.state();
   std::vector<std::pair<BodyHandle, const Shape*>> shapes;
@@ -171,7 +175,9 @@ struct Tower {
     ShapeDef shape = shapeDef(2500.0f);
     shape.anchored = type == BodyType::Static;
     support = addBox(world, def, Vec3(0.5f, 0.05f, 0.5f), shape);
-    for (int i = 0; i < 4; ++i) boxes.push_back(addBox(world, bodyAt(Vec3(0.0f, 0.1f + 0.2f * static_cast<float>(i), 0.0f)), Vec3(0.1f, 0.1f, 0.1f)));
+    for (int i = 0; i < 4; ++i)
+      boxes.push_back(
+          addBox(world, bodyAt(Vec3(0.0f, 0.1f + 0.2f * static_cast<float>(i), 0.0f)), Vec3(0.1f, 0.1f, 0.1f)));
     run(world, 120);
     for (const BodyHandle box : boxes) EXPECT_FALSE(world.body(box).awake);
   }

@@ -1,5 +1,6 @@
-// B35: a fast ball passes a pane within the speculative margin, at a speed that would break it, but misses it. In 1e4 random grazes
-// with a least distance above 0 none breaks, and the ball goes on as if there were no pane; those that cut into it break it.
+// B35: a fast ball passes a pane within the speculative margin, at a speed that would break it, but misses it. In 1e4
+// random grazes with a least distance above 0 none breaks, and the ball goes on as if there were no pane; those that
+// cut into it break it.
 #include <gtest/gtest.h>
 
 #include "engine/core/random.h"
@@ -16,13 +17,16 @@ double distanceToPane(const Vec3d& point) {
   return outside.norm();
 }
 
-/// Least distance of the ball's surface from the pane on the way from `start` in `direction`: convex in the way, so thirds find it.
+/// Least distance of the ball's surface from the pane on the way from `start` in `direction`: convex in the way, so
+/// thirds find it.
 double leastDistance(const Vec3d& start, const Vec3d& direction, double length) {
   double low = 0.0, high = length;
   for (int i = 0; i < 200; ++i) {
     const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-    if (distanceToPane(start + direction * a) < distanceToPane(start + direction * b)) high = b;
-    else low = a;
+    if (distanceToPane(start + direction * a) < distanceToPane(start + direction * b))
+      high = b;
+    else
+      low = a;
   }
   return distanceToPane(start + direction * (0.5 * (low + high))) - static_cast<double>(kRadius);
 }

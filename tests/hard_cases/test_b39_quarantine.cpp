@@ -1,6 +1,6 @@
-// B39: in a pile of 125 bodies one number of one body (velocity, spin, position, orientation) becomes NaN or infinite. It is caught in
-// the same step, named in a diagnostic, that body alone is removed, and no other is affected: the world goes on bit for bit as one from
-// which that body was taken by hand.
+// B39: in a pile of 125 bodies one number of one body (velocity, spin, position, orientation) becomes NaN or infinite.
+// It is caught in the same step, named in a diagnostic, that body alone is removed, and no other is affected: the world
+// goes on bit for bit as one from which that body was taken by hand.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -37,7 +37,8 @@ struct Pile {
   Pile() {
     addFloor(world);
     for (int i = 0; i < kBodies; ++i) {
-      const Vec3 at(0.22f * static_cast<float>(i % 5), 0.13f + 0.22f * static_cast<float>(i / 25), 0.22f * static_cast<float>(i / 5 % 5));
+      const Vec3 at(0.22f * static_cast<float>(i % 5), 0.13f + 0.22f * static_cast<float>(i / 25),
+                    0.22f * static_cast<float>(i / 5 % 5));
       boxes.push_back(addBox(world, bodyAt(at), Vec3(0.1f, 0.1f, 0.1f)));
     }
     for (int tick = 0; tick < 30; ++tick) world.step(kTick);
@@ -88,7 +89,8 @@ TEST(B39, TheBadBodyAloneGoesAndTheOthersNeverNotice) {
       ASSERT_EQ(struck.events().quarantined.size(), 1u);
       EXPECT_TRUE(struck.events().quarantined[0] == bad);
       ASSERT_EQ(diagnostics.lines.size(), 1u);
-      EXPECT_NE(diagnostics.lines[0].find("body " + std::to_string(bad.index) + " "), std::string::npos) << diagnostics.lines[0];
+      EXPECT_NE(diagnostics.lines[0].find("body " + std::to_string(bad.index) + " "), std::string::npos)
+          << diagnostics.lines[0];
       EXPECT_NE(diagnostics.lines[0].find(fault.what), std::string::npos) << diagnostics.lines[0];
 
       int alive = 0;

@@ -36,7 +36,8 @@ int medianOf(const std::string& skill, std::uint64_t seeds) {
   return balls[balls.size() / 2];
 }
 
-/// The good one by `lead` balls. Few games say less than many: a careless player has none left or as many as an average one.
+/// The good one by `lead` balls. Few games say less than many: a careless player has none left or as many as an average
+/// one.
 void expectBetterOnesAhead(std::uint64_t seeds, int lead) {
   const int careless = medianOf("careless", seeds);
   const int average = medianOf("average", seeds);

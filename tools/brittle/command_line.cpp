@@ -42,7 +42,8 @@ void addPlay(CLI::App& app, Action& action) {
   auto options = std::make_shared<PlayOptions>();
   CLI::App* command = app.add_subcommand("play", "play a level in a window");
   addGame(*command, options->game);
-  command->add_option("--record", options->record, "write the game as a replay; of several in a row the last")->type_name("FILE");
+  command->add_option("--record", options->record, "write the game as a replay; of several in a row the last")
+      ->type_name("FILE");
   command->add_option("--frames", options->frames, "end after so many frames (default: when the window is closed)")
       ->type_name("N");
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
@@ -72,7 +73,8 @@ void addRender(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1u, 1000000u));
-  command->add_option("--backend", options->backend, "egl, osmesa, or null: every step but the drawing, without a GPU")->capture_default_str();
+  command->add_option("--backend", options->backend, "egl, osmesa, or null: every step but the drawing, without a GPU")
+      ->capture_default_str();
   command->add_option("--samples", options->samples, "multisampling: 0 or 4")
       ->capture_default_str()
       ->check(CLI::IsMember({0, 4}));

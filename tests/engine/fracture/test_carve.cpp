@@ -20,11 +20,15 @@ struct Hit {
 /// Points of the box where a naive carve comes to grief: corners, edges, face diagonals, the seam, just outside.
 std::vector<Hit> awkwardHits(const Vec3& half) {
   const Vec3 h = half;
-  return {{"centre", {0, 0, h.z()}},           {"corner", h},
-          {"other corner", -h},                {"edge", {h.x(), 0.0f, h.z()}},
+  return {{"centre", {0, 0, h.z()}},
+          {"corner", h},
+          {"other corner", -h},
+          {"edge", {h.x(), 0.0f, h.z()}},
           {"face diagonal", {0.5f * h.x(), 0.5f * h.y(), h.z()}},
-          {"seam", {0, 0.3f * h.y(), h.z()}},  {"seam end", {0, h.y(), h.z()}},
-          {"just outside", h * 1.001f},        {"well outside", {h.x() + 0.1f, 0.0f, 0.0f}}};
+          {"seam", {0, 0.3f * h.y(), h.z()}},
+          {"seam end", {0, h.y(), h.z()}},
+          {"just outside", h * 1.001f},
+          {"well outside", {h.x() + 0.1f, 0.0f, 0.0f}}};
 }
 
 bool isInside(const geometry::ConvexView& convex, const Vec3& point, float margin) {
@@ -34,7 +38,8 @@ bool isInside(const geometry::ConvexView& convex, const Vec3& point, float margi
   return true;
 }
 
-/// Each point of the compound lies in exactly one piece: in none that is farther than 1e-6 m away, in one that is as near.
+/// Each point of the compound lies in exactly one piece: in none that is farther than 1e-6 m away, in one that is as
+/// near.
 void expectPartition(const Scene& scene, const Fracture& made, const Vec3& half, int samples) {
   Random random(7);
   int onBorders = 0;
@@ -163,7 +168,8 @@ TEST(Carve, SeveralImpactsCarveOneAfterAnother) {
   Fracturer fracturer;
   FractureMaterial material;
   material.carveRadius = 0.15f;
-  const Impact impacts[3] = {straightAt({-0.2f, 0.1f, 0.01f}), straightAt({0.25f, 0.2f, 0.01f}), straightAt({-0.1f, 0.1f, 0.01f})};
+  const Impact impacts[3] = {straightAt({-0.2f, 0.1f, 0.01f}), straightAt({0.25f, 0.2f, 0.01f}),
+                             straightAt({-0.1f, 0.1f, 0.01f})};
   const std::size_t first = fracturer.fracture(scene.parts, {impacts, 1}, material, kSlop, 5).pieces.size();
   const std::uint64_t hashOfFragments = [&] {
     Fracture fragments;
@@ -215,7 +221,8 @@ TEST(Carve, SliversAreCutOrRefusedButNeverLost) {
   }
 }
 
-/// A box, cylinder or hull of a quarter to one metre, turned anyhow, that touches or overlaps its neighbours now and then.
+/// A box, cylinder or hull of a quarter to one metre, turned anyhow, that touches or overlaps its neighbours now and
+/// then.
 geometry::Convex randomConvex(Random& random) {
   const auto vector = [&](float low, float high) {
     Vec3 v;

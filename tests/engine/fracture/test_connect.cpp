@@ -12,7 +12,9 @@
 namespace brittle::fracture {
 namespace {
 
-geometry::Convex cubeAt(const Vec3& center) { return geometry::makeBox<float>({0.5f, 0.5f, 0.5f}, center); }
+geometry::Convex cubeAt(const Vec3& center) {
+  return geometry::makeBox<float>({0.5f, 0.5f, 0.5f}, center);
+}
 
 bool cubesConnect(const Vec3& offset) {
   const geometry::Convex a = cubeAt(Vec3::Zero());

@@ -20,8 +20,12 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
 
 namespace brittle::fracture {
 namespace {
@@ -43,7 +47,8 @@ TEST(Fracture, SameSeedSameBitsOtherSeedOtherBits) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
       const std::uint64_t hash = hashOf(one.fracture(scene.parts, impacts, material, kSlop, seed));
       EXPECT_EQ(hash, hashOf(other.fracture(scene.parts, impacts, material, kSlop, seed)));
-      EXPECT_EQ(hash, hashOf(one.fracture(scene.parts, impacts, material, kSlop, seed))) << "no memory of the last call";
+      EXPECT_EQ(hash, hashOf(one.fracture(scene.parts, impacts, material, kSlop, seed)))
+          << "no memory of the last call";
       hashes.insert(hash);
     }
     EXPECT_EQ(hashes.size(), 8u);
@@ -69,7 +74,8 @@ TEST(Fracture, AHoleAcrossAStripLeavesTwoBodies) {
   Scene scene;
   scene.addBox({0.5f, 0.1f, 0.01f}, Vec3::Zero(), true);
   // Held at its left end only: the right end falls.
-  scene.anchors.push_back({{{-0.5f, -0.1f, -0.01f}, {-0.5f, 0.1f, -0.01f}, {-0.5f, 0.1f, 0.01f}, {-0.5f, -0.1f, 0.01f}}, 4});
+  scene.anchors.push_back(
+      {{{-0.5f, -0.1f, -0.01f}, {-0.5f, 0.1f, -0.01f}, {-0.5f, 0.1f, 0.01f}, {-0.5f, -0.1f, 0.01f}}, 4});
   scene.parts[0].anchors = {&scene.anchors[0], 1};
   FractureMaterial material;
   material.carveRadius = 0.25f;
@@ -155,8 +161,10 @@ TEST(Fracture, LaminatedGlassCracksAndHolds) {
     std::size_t held = 0;
     float left = 0.0f;
     for (const Piece& piece : made.pieces) {
-      if (made.groups[piece.group].keepsBody) held += piece.isFragment ? 1 : 0;
-      else left += piece.mass.volume;
+      if (made.groups[piece.group].keepsBody)
+        held += piece.isFragment ? 1 : 0;
+      else
+        left += piece.mass.volume;
     }
     EXPECT_GT(held, 10u);
     // What leaves is a hole of little more than the striker's 5 cm: well below the 30 cm that crack.
@@ -241,7 +249,8 @@ TEST(Fracture, BreaksItsOwnPiecesAgainAndAgain) {
     Impact impact = straightAt(Vec3::Zero(), 10.0f, 0.03f);
     impact.point.x() = random.nextFloat(-0.5f, 0.5f);
     impact.point.y() = random.nextFloat(-0.5f, 0.5f);
-    const Fracture& made = fracturer.fracture(scene.parts, {&impact, 1}, material, kSlop, static_cast<std::uint64_t>(round));
+    const Fracture& made =
+        fracturer.fracture(scene.parts, {&impact, 1}, material, kSlop, static_cast<std::uint64_t>(round));
     expectSound(scene, made);
     // Go on with the rest that keeps the body. Its faces carry the ids of earlier cuts.
     Scene next;

@@ -38,11 +38,13 @@ void expectComplete(const Scene& scene, const Fracture& made) {
   for (std::uint32_t a = 0; a < made.pieces.size(); ++a) {
     for (std::uint32_t b = a + 1; b < made.pieces.size(); ++b) {
       if (made.pieces[a].group == made.pieces[b].group || made.pieces[a].source != made.pieces[b].source) continue;
-      const geometry::ConvexView viewA = viewOf(scene, made, made.pieces[a]), viewB = viewOf(scene, made, made.pieces[b]);
+      const geometry::ConvexView viewA = viewOf(scene, made, made.pieces[a]),
+                                 viewB = viewOf(scene, made, made.pieces[b]);
       const float area = sharedArea(viewA, viewB);
       const auto found = known.find({a, b});
       const bool isBorderline = area > 0.5f * least && area < 2.0f * least;
-      EXPECT_TRUE(isBorderline || (found != known.end()) == (area > least)) << a << ", " << b << " share " << area << " m2";
+      EXPECT_TRUE(isBorderline || (found != known.end()) == (area > least))
+          << a << ", " << b << " share " << area << " m2";
       if (found == known.end()) continue;
       const Neighbours& pair = *found->second;
       EXPECT_GT(pair.normal.dot(made.pieces[b].mass.center - made.pieces[a].mass.center), 0.0f) << "from A to B";

@@ -42,7 +42,8 @@ float widestReach(const Cell& cell, const Vec3& center) {
     if (store.cut(inside, cell.walls[i], above, below) == CutResult::Split) inside = below;
   }
   float reach = 0.0f;
-  for (const geometry::Vertex& vertex : store.view(inside).vertices) reach = maxOf(reach, (vertex.point - center).norm());
+  for (const geometry::Vertex& vertex : store.view(inside).vertices)
+    reach = maxOf(reach, (vertex.point - center).norm());
   return reach;
 }
 

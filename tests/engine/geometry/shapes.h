@@ -1,5 +1,6 @@
-// tests/engine/geometry/shapes.h - convexes for the tests of distance and overlap, built without geometry/make so that those tests
-// stand alone: boxes, random hulls by brute force, scaled to slivers. And the slow, certain answers in double.
+// tests/engine/geometry/shapes.h - convexes for the tests of distance and overlap, built without geometry/make so that
+// those tests stand alone: boxes, random hulls by brute force, scaled to slivers. And the slow, certain answers in
+// double.
 #pragma once
 
 #include <map>
@@ -25,7 +26,8 @@ inline Convex fromFaces(const std::vector<Vec3>& points, const std::vector<std::
       convex.edges.push_back({static_cast<std::uint16_t>(f), static_cast<std::uint16_t>(loop[i]),
                               static_cast<std::uint16_t>(first + (i + 1) % count), 0});
     }
-    const Vec3d a = points[loop[0]].cast<double>(), b = points[loop[1]].cast<double>(), c = points[loop[2]].cast<double>();
+    const Vec3d a = points[loop[0]].cast<double>(), b = points[loop[1]].cast<double>(),
+                c = points[loop[2]].cast<double>();
     const Vec3d normal = (b - a).cross(c - a).normalized();
     Face face;
     face.edge = static_cast<std::uint16_t>(first);
@@ -40,7 +42,8 @@ inline Convex fromFaces(const std::vector<Vec3>& points, const std::vector<std::
 inline Convex box(const Vec3& half, const Vec3& center = Vec3::Zero()) {
   std::vector<Vec3> points;
   for (int i = 0; i < 8; ++i)
-    points.push_back(center + Vec3(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), i & 4 ? half.z() : -half.z()));
+    points.push_back(center +
+                     Vec3(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), i & 4 ? half.z() : -half.z()));
   return fromFaces(points, {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
 }
 
@@ -83,7 +86,8 @@ inline Transform randomPose(Random& random, float reach) {
 inline std::vector<Vec3d> worldPoints(const Convex& convex, const Transform& pose) {
   std::vector<Vec3d> points;
   const Eigen::Quaterniond q = pose.rotation.cast<double>().normalized();
-  for (const Vertex& vertex : convex.vertices) points.push_back(q * vertex.point.cast<double>() + pose.position.cast<double>());
+  for (const Vertex& vertex : convex.vertices)
+    points.push_back(q * vertex.point.cast<double>() + pose.position.cast<double>());
   return points;
 }
 
@@ -95,7 +99,8 @@ inline double widthAlong(const std::vector<Vec3d>& a, const std::vector<Vec3d>& 
 }
 
 /// Largest separation over every face normal (from the vertices) and every pair of edges: the depth if the two overlap.
-inline double slowSeparation(const Convex& a, const std::vector<Vec3d>& pa, const Convex& b, const std::vector<Vec3d>& pb) {
+inline double slowSeparation(const Convex& a, const std::vector<Vec3d>& pa, const Convex& b,
+                             const std::vector<Vec3d>& pb) {
   double best = -1e300;
   const auto tryAxis = [&](const Vec3d& axis) {
     const double length = axis.norm();
@@ -138,13 +143,15 @@ inline double segmentDistance(const Vec3d& p, const Vec3d& u, const Vec3d& q, co
 }
 
 /// Distance of two disjoint convexes: all pairs of edges, all vertices against the inner part of all faces.
-inline double slowDistance(const Convex& a, const std::vector<Vec3d>& pa, const Convex& b, const std::vector<Vec3d>& pb) {
+inline double slowDistance(const Convex& a, const std::vector<Vec3d>& pa, const Convex& b,
+                           const std::vector<Vec3d>& pb) {
   double best = 1e300;
   for (const Edge& e : a.edges)
     for (const Edge& f : b.edges)
       best = std::min(best, segmentDistance(pa[e.vertex], pa[a.edges[e.next].vertex] - pa[e.vertex], pb[f.vertex],
                                             pb[b.edges[f.next].vertex] - pb[f.vertex]));
-  const auto verticesAgainstFaces = [&](const Convex& c, const std::vector<Vec3d>& p, const std::vector<Vec3d>& points) {
+  const auto verticesAgainstFaces = [&](const Convex& c, const std::vector<Vec3d>& p,
+                                        const std::vector<Vec3d>& points) {
     for (const Face& face : c.faces) {
       const Edge first = c.edges[face.edge];
       const Edge second = c.edges[first.next];

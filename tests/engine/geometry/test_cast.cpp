@@ -13,11 +13,21 @@ using test::box;
 using test::randomHull;
 using test::randomPose;
 
-Proxy proxy(const Convex& convex) { return {convex.view(), Vec3::Zero(), 0.0f}; }
-Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) { return {{}, center, radius}; }
-Transform at(float x, float y, float z) { return {Vec3(x, y, z), Quat::Identity()}; }
-Motion resting(const Transform& pose) { return {pose, pose.position, Vec3::Zero(), Vec3::Zero()}; }
-Motion moving(const Transform& pose, const Vec3& velocity) { return {pose, pose.position, velocity, Vec3::Zero()}; }
+Proxy proxy(const Convex& convex) {
+  return {convex.view(), Vec3::Zero(), 0.0f};
+}
+Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) {
+  return {{}, center, radius};
+}
+Transform at(float x, float y, float z) {
+  return {Vec3(x, y, z), Quat::Identity()};
+}
+Motion resting(const Transform& pose) {
+  return {pose, pose.position, Vec3::Zero(), Vec3::Zero()};
+}
+Motion moving(const Transform& pose, const Vec3& velocity) {
+  return {pose, pose.position, velocity, Vec3::Zero()};
+}
 
 float distanceAt(const Proxy& a, const Motion& motionA, const Proxy& b, const Motion& motionB, float time) {
   SimplexCache cache;
@@ -38,7 +48,8 @@ TEST(TimeOfImpact, NothingPassesThroughAThinPaneAtAnySpeed) {
   const Convex pane = box(Vec3(1.0f, 1.0f, 0.002f));
   for (float speed = 1.0f; speed < 2000.0f; speed *= 1.7f) {
     const Motion ball = moving(at(0.1f, 0.1f, 0.5f), Vec3(0.3f, 0.2f, -1.0f) * speed);
-    const Impact impact = timeOfImpact(sphere(0.01f), ball, proxy(pane), resting(at(0.0f, 0.0f, 0.0f)), 2.0f / speed, 0.0005f);
+    const Impact impact =
+        timeOfImpact(sphere(0.01f), ball, proxy(pane), resting(at(0.0f, 0.0f, 0.0f)), 2.0f / speed, 0.0005f);
     ASSERT_TRUE(impact.hit) << speed;
     EXPECT_NEAR(impact.time * speed, 0.488f, 0.001f);
   }
@@ -128,7 +139,8 @@ TEST(TimeOfImpact, TenThousandGrazesAtATargetBelowTheirLeastDistanceMiss) {
   const Convex pane = box(Vec3(0.5f, 0.5f, 0.01f));
   for (int i = 0; i < 10000; ++i) {
     // A ball passes the pane's rim at a known least distance.
-    const float radius = random.nextFloat(0.05f, 0.3f), gap = random.nextFloat(1e-4f, 0.05f), speed = random.nextFloat(1.0f, 200.0f);
+    const float radius = random.nextFloat(0.05f, 0.3f), gap = random.nextFloat(1e-4f, 0.05f),
+                speed = random.nextFloat(1.0f, 200.0f);
     const Motion ball = moving(at(random.nextFloat(-0.4f, 0.4f), 0.5f + radius + gap, 1.0f), Vec3(0.0f, 0.0f, -speed));
     const Transform pose = at(0.0f, 0.0f, 0.0f);
     ASSERT_FALSE(timeOfImpact(sphere(radius), ball, proxy(pane), resting(pose), 2.0f / speed, 0.98f * gap).hit);
@@ -181,7 +193,8 @@ TEST(CastRay, EntersWhereThePointComesInside) {
     EXPECT_FALSE(containsPoint(proxy(hull), pose, pointAt(hit.fraction - 1e-4f)));
     EXPECT_LT(hit.normal.dot(to - from), 0.0f);
     SimplexCache cache;
-    EXPECT_NEAR(separation(proxy(hull), pose, sphere(0.0f, pointAt(hit.fraction)), Transform{}, cache).distance, 0.0f, 1e-5f);
+    EXPECT_NEAR(separation(proxy(hull), pose, sphere(0.0f, pointAt(hit.fraction)), Transform{}, cache).distance, 0.0f,
+                1e-5f);
   }
   EXPECT_GT(hits, 50);
 }

@@ -1,5 +1,5 @@
-// A world of joints only: bodies without contacts, and the tick of physics reduced to what joints take part in, so that closed
-// forms can be compared with JointSolver alone.
+// A world of joints only: bodies without contacts, and the tick of physics reduced to what joints take part in, so that
+// closed forms can be compared with JointSolver alone.
 #pragma once
 
 #include "engine/physics/state.h"
@@ -110,7 +110,8 @@ struct JointScene {
   }
   double energy() const {
     double sum = kineticEnergy();
-    state.bodies.forEach([&](BodyHandle, const Body& b) { sum -= b.mass * state.gravity.cast<double>().dot(b.center.cast<double>()); });
+    state.bodies.forEach(
+        [&](BodyHandle, const Body& b) { sum -= b.mass * state.gravity.cast<double>().dot(b.center.cast<double>()); });
     return sum;
   }
   Vec3d momentum() const {
@@ -123,7 +124,8 @@ struct JointScene {
     state.bodies.forEach([&](BodyHandle, const Body& b) {
       sum += b.center.cast<double>().cross(Vec3d(b.mass * b.velocity.cast<double>()));
       sum += b.pose.rotation.cast<double>() *
-             (b.localInertia.cast<double>() * (b.pose.rotation.conjugate().cast<double>() * b.angularVelocity.cast<double>()));
+             (b.localInertia.cast<double>() *
+              (b.pose.rotation.conjugate().cast<double>() * b.angularVelocity.cast<double>()));
     });
     return sum;
   }
@@ -133,7 +135,8 @@ struct JointScene {
     const Mat3 rotation = b.pose.rotation.toRotationMatrix();
     b.invInertia = rotation * b.localInvInertia * rotation.transpose();
   }
-  /// One Newton step of I (w' - w) + dt w' x I w' = 0 in the body's frame. Source: Catto, Numerical Methods (GDC), 2015.
+  /// One Newton step of I (w' - w) + dt w' x I w' = 0 in the body's frame. Source: Catto, Numerical Methods (GDC),
+  /// 2015.
   void turnFreely(Body& b) const {
     const Vec3 w = b.pose.rotation.conjugate() * b.angularVelocity;
     const Vec3 spin = b.localInertia * w;
@@ -141,8 +144,9 @@ struct JointScene {
     const Vec3 rows[3] = {slope.row(0), slope.row(1), slope.row(2)};
     const Vec3 right = dt * w.cross(spin);
     // The inverse's columns are the cross products of the rows over the determinant.
-    const Vec3 change = (rows[1].cross(rows[2]) * right.x() + rows[2].cross(rows[0]) * right.y() + rows[0].cross(rows[1]) * right.z()) /
-                        rows[0].dot(rows[1].cross(rows[2]));
+    const Vec3 change =
+        (rows[1].cross(rows[2]) * right.x() + rows[2].cross(rows[0]) * right.y() + rows[0].cross(rows[1]) * right.z()) /
+        rows[0].dot(rows[1].cross(rows[2]));
     b.angularVelocity = b.pose.rotation * Vec3(w - change);
   }
   void integrateVelocities() {

@@ -35,7 +35,8 @@ inline BodyHandle addFloor(World& world, float halfWidth = 20.0f) {
 }
 
 /// A ball of the given mass [kg], flying.
-inline BodyHandle addBall(World& world, const Vec3& position, const Vec3& velocity, float radius, float mass, float restitution = 0.0f) {
+inline BodyHandle addBall(World& world, const Vec3& position, const Vec3& velocity, float radius, float mass,
+                          float restitution = 0.0f) {
   BodyDef def = bodyAt(position);
   def.velocity = velocity;
   const BodyHandle body = world.createBody(def);
@@ -45,7 +46,8 @@ inline BodyHandle addBall(World& world, const Vec3& position, const Vec3& veloci
 }
 
 /// A static pane in the XY plane, anchored everywhere at its rim by design of the test: it holds as a whole.
-inline BodyHandle addPane(World& world, const Vec3& center, const Vec3& halfExtents, float strength, float density = 2500.0f) {
+inline BodyHandle addPane(World& world, const Vec3& center, const Vec3& halfExtents, float strength,
+                          float density = 2500.0f) {
   BodyDef def = bodyAt(center, BodyType::Static);
   def.breakable.strength = strength;
   ShapeDef shape = shapeDef(density);

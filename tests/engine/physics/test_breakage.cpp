@@ -72,7 +72,8 @@ TEST(Breakage, TheOlderWaysBreakAndCostWhatThePhaseOfTheTickSays) {
       EXPECT_EQ(blended.breaks, 1u) << "phase " << phase;
       const float mixed = 20.0f * blend + after.exitSpeed * (1.0f - blend);
       EXPECT_LT(blended.exitSpeed, mixed + 0.1f) << "phase " << phase << ", blend " << blend;
-      EXPECT_GT(blended.exitSpeed, mixed - 1.9f) << "phase " << phase << ", blend " << blend;  // what is left may take J
+      EXPECT_GT(blended.exitSpeed, mixed - 1.9f)
+          << "phase " << phase << ", blend " << blend;  // what is left may take J
     }
   }
   EXPECT_LT(slowest, 0.1f * 18.1f);

@@ -79,9 +79,9 @@ TEST(DynamicTree, StaysLowWhateverTheOrder) {
     const int count = 3000;
     for (int i = 0; i < count; ++i) {
       const float x = static_cast<float>(i);
-      Aabb box{Vec3::Zero(), Vec3::Ones()};                                             // all the same
-      if (kind == 1) box = {Vec3(x, 0.0f, 0.0f), Vec3(x + 0.5f, 1.0f, 1.0f)};           // a sorted row
-      if (kind == 2) box = {Vec3::Zero(), Vec3::Constant(1.0f + x)};                    // each holds all before
+      Aabb box{Vec3::Zero(), Vec3::Ones()};                                    // all the same
+      if (kind == 1) box = {Vec3(x, 0.0f, 0.0f), Vec3(x + 0.5f, 1.0f, 1.0f)};  // a sorted row
+      if (kind == 2) box = {Vec3::Zero(), Vec3::Constant(1.0f + x)};           // each holds all before
       if (kind == 3) box = randomBox(random, 1.0f);
       tree.insert(box, static_cast<std::uint32_t>(i));
     }
@@ -151,7 +151,8 @@ TEST(DynamicTree, AWideRayTouchesItsNeighbours) {
   tree.insert({Vec3(5.0f, 1.0f, 0.0f), Vec3(6.0f, 2.0f, 1.0f)}, 1);
   int thin = 0, wide = 0;
   tree.castRay(Vec3::Zero(), Vec3(10.0f, 0.0f, 0.0f), [&](std::uint32_t) { return ++thin, 1.0f; });
-  tree.castRay(Vec3::Zero(), Vec3(10.0f, 0.0f, 0.0f), [&](std::uint32_t) { return ++wide, 1.0f; }, 1.1f);
+  tree.castRay(
+      Vec3::Zero(), Vec3(10.0f, 0.0f, 0.0f), [&](std::uint32_t) { return ++wide, 1.0f; }, 1.1f);
   EXPECT_EQ(thin, 0);
   EXPECT_EQ(wide, 1);
 }

@@ -29,7 +29,8 @@ double swingPeriod(float angle, float seconds, double& energyKept) {
   return (last - first) / (passes - 1);
 }
 
-constexpr double kSmallPeriod = 2.0 * 3.14159265358979 * 0.319915;  // 2 pi sqrt((l^2 + 0.4 r^2) / (g l)), l = 1, r = 0.1
+constexpr double kSmallPeriod =
+    2.0 * 3.14159265358979 * 0.319915;  // 2 pi sqrt((l^2 + 0.4 r^2) / (g l)), l = 1, r = 0.1
 
 TEST(JointHinge, SmallSwingsHaveThePeriodOfAPhysicalPendulum) {
   double kept = 0.0;
@@ -69,7 +70,8 @@ TEST(JointHinge, MotorReachesItsSpeedInTheTimeThatTorqueOverInertiaGives) {
     const float reached = inertia * 2.0f / 1.5f;
     const int halfway = static_cast<int>(0.5f * reached / scene.dt);
     for (int i = 0; i < halfway; ++i) scene.step();
-    EXPECT_NEAR(scene.body(wheel).angularVelocity.z(), 1.5f / inertia * static_cast<float>(halfway) * scene.dt, 2e-3f) << arm;
+    EXPECT_NEAR(scene.body(wheel).angularVelocity.z(), 1.5f / inertia * static_cast<float>(halfway) * scene.dt, 2e-3f)
+        << arm;
     scene.run(0.5f * reached + 0.1f);
     EXPECT_NEAR(scene.body(wheel).angularVelocity.z(), 2.0f, 1e-3f) << arm;
     EXPECT_NEAR(scene.joint(hinge).motorImpulse, 0.0f, 1e-3f) << arm;

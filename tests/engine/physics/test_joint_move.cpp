@@ -82,7 +82,8 @@ TEST(CreateJoint, TakesTheShapeThatHoldsTheAnchor) {
   World world(weightless());
   const BodyHandle body = world.createBody(bodyAt(Vec3::Zero()));
   const ShapeHandle hub = world.addConvex(body, shapeDef(), geometry::makeBox<float>(Vec3::Constant(0.1f)).view());
-  const ShapeHandle arm = world.addConvex(body, shapeDef(), geometry::makeBox<float>(Vec3(0.5f, 0.1f, 0.1f), Vec3(0.6f, 0.0f, 0.0f)).view());
+  const ShapeHandle arm = world.addConvex(
+      body, shapeDef(), geometry::makeBox<float>(Vec3(0.5f, 0.1f, 0.1f), Vec3(0.6f, 0.0f, 0.0f)).view());
   JointDef def;
   def.a = hub;
   def.anchorA = Vec3(0.8f, 0.0f, 0.0f);
@@ -94,7 +95,9 @@ TEST(CreateJoint, TakesTheShapeThatHoldsTheAnchor) {
 }
 
 int failures = 0;
-void countFailure(const char*, const char*, int) { ++failures; }
+void countFailure(const char*, const char*, int) {
+  ++failures;
+}
 
 TEST(CreateJoint, RefusesWrongDefinitions) {
   World world(weightless());
@@ -214,7 +217,8 @@ TEST(Drive, MovesBothPartsOfABrokenAssembly) {
   std::vector<BodyHandle> bodies;
   world.bodiesOf(drive.assembly, bodies);
   EXPECT_GT(bodies.size(), 2u);
-  for (const BodyHandle body : bodies) EXPECT_LT((world.body(body).pose.position - drive.position).norm(), 1e-3f) << body.index;
+  for (const BodyHandle body : bodies)
+    EXPECT_LT((world.body(body).pose.position - drive.position).norm(), 1e-3f) << body.index;
 }
 
 /// A hub of steel with an arm of glass, turned by a motor. The arm breaks off and flies where it went.
@@ -245,7 +249,8 @@ TEST(Joint, ABrokenRotorArmFliesOffTangentially) {
     if (handle == turning) return;
     ++flying;
     const Vec3 start = piece.center - piece.velocity * kTick;
-    EXPECT_LT((piece.velocity - before.velocityAt(start)).norm(), 1e-4f * before.velocityAt(start).norm() + 1e-4f) << handle.index;
+    EXPECT_LT((piece.velocity - before.velocityAt(start)).norm(), 1e-4f * before.velocityAt(start).norm() + 1e-4f)
+        << handle.index;
     EXPECT_LT((piece.angularVelocity - before.angularVelocity).norm(), 1e-3f) << handle.index;
   });
   EXPECT_GT(flying, 1);

@@ -20,7 +20,8 @@ BodyHandle addChain(JointScene& scene, int links, const Vec3& along, bool hangs,
 }
 
 TEST(JointChain, OfTwentyStaysClosedForTenSeconds) {
-  for (const Vec3& along : {Vec3(0.0f, -1.0f, 0.0f), Vec3(1.0f, 0.0f, 0.0f)}) {  // hanging and pushed; let fall, cracks like a whip
+  for (const Vec3& along :
+       {Vec3(0.0f, -1.0f, 0.0f), Vec3(1.0f, 0.0f, 0.0f)}) {  // hanging and pushed; let fall, cracks like a whip
     JointScene scene;
     const BodyHandle last = addChain(scene, 20, along, true);
     scene.body(last).velocity = Vec3(0.0f, 0.0f, 5.0f);
@@ -78,9 +79,11 @@ TEST(JointChain, SolvesARingOfHingesWhoseRowsDependOnEachOther) {
   JointScene scene;
   BodyHandle ring[6];
   Vec3 corner[6];
-  for (int i = 0; i < 6; ++i) corner[i] = Vec3(cosine(kPi / 3.0f * static_cast<float>(i)), sine(kPi / 3.0f * static_cast<float>(i)), 0.0f);
+  for (int i = 0; i < 6; ++i)
+    corner[i] = Vec3(cosine(kPi / 3.0f * static_cast<float>(i)), sine(kPi / 3.0f * static_cast<float>(i)), 0.0f);
   for (int i = 0; i < 6; ++i) ring[i] = scene.addBall(0.5f * (corner[i] + corner[(i + 1) % 6]), 0.1f, 1.0f);
-  for (int i = 0; i < 6; ++i) scene.join(JointType::Hinge, ring[i], ring[(i + 1) % 6], corner[(i + 1) % 6], Vec3::UnitZ());
+  for (int i = 0; i < 6; ++i)
+    scene.join(JointType::Hinge, ring[i], ring[(i + 1) % 6], corner[(i + 1) % 6], Vec3::UnitZ());
   scene.join(JointType::Ball, ring[0], {}, corner[0]);
   const double energy = scene.energy();
   for (int i = 0; i < 600; ++i) {
@@ -101,7 +104,8 @@ TEST(JointChain, TwoWeldsBetweenTheSameBodiesHoldLikeOne) {
   for (int i = 0; i < 600; ++i) {
     scene.step();
     ASSERT_LT(scene.widestGap(), 1e-4f) << "tick " << i;
-    ASSERT_LT(scene.energy(), energy + 0.25) << "tick " << i;  // of 10 J; m g v dt/2, as velocities are half a tick ahead
+    ASSERT_LT(scene.energy(), energy + 0.25)
+        << "tick " << i;  // of 10 J; m g v dt/2, as velocities are half a tick ahead
   }
 }
 

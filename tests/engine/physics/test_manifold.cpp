@@ -14,10 +14,18 @@ namespace {
 using geometry::Convex;
 using geometry::Proxy;
 
-Convex box(float x, float y, float z) { return geometry::makeBox<float>(Vec3(x, y, z)); }
-Proxy proxy(const Convex& convex) { return {convex.view(), Vec3::Zero(), 0.0f}; }
-Proxy ball(float radius) { return {{}, Vec3::Zero(), radius}; }
-Transform at(float x, float y, float z) { return {Vec3(x, y, z), Quat::Identity()}; }
+Convex box(float x, float y, float z) {
+  return geometry::makeBox<float>(Vec3(x, y, z));
+}
+Proxy proxy(const Convex& convex) {
+  return {convex.view(), Vec3::Zero(), 0.0f};
+}
+Proxy ball(float radius) {
+  return {{}, Vec3::Zero(), radius};
+}
+Transform at(float x, float y, float z) {
+  return {Vec3(x, y, z), Quat::Identity()};
+}
 
 constexpr ManifoldSettings kClipped{ManifoldKind::Clipped, 0.0f};
 constexpr ManifoldSettings kRecycling{ManifoldKind::Clipped, 0.1f};
@@ -35,7 +43,8 @@ void expectConsistent(const Manifold& m, const Transform& poseA, const Transform
   }
 }
 
-Manifold fresh(const Convex& a, const Transform& poseA, const Convex& b, const Transform& poseB, float margin, float size = 0.5f) {
+Manifold fresh(const Convex& a, const Transform& poseA, const Convex& b, const Transform& poseB, float margin,
+               float size = 0.5f) {
   Manifold m;
   updateManifold(proxy(a), poseA, size, proxy(b), poseB, size, margin, kClipped, m);
   expectConsistent(m, poseA, poseB, margin);
@@ -60,7 +69,8 @@ TEST(Manifold, BoxOnBoxHasFourPointsAtTheCornersOfTheCommonArea) {
     EXPECT_NEAR(m.normal.y(), 1.0f, 1e-6f);
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(m.points[i].separation, gap, 1e-6f);
     for (const float x : {1.25f, 2.0f})
-      for (const float z : {-0.25f, 0.75f}) EXPECT_TRUE(hasPointAt(m, Transform{}, x, z)) << gap << " " << x << " " << z;
+      for (const float z : {-0.25f, 0.75f})
+        EXPECT_TRUE(hasPointAt(m, Transform{}, x, z)) << gap << " " << x << " " << z;
     const Manifold turned = fresh(cube, above, floor, at(0.0f, 0.0f, 0.0f), 0.6f);
     EXPECT_EQ(turned.count, 4);
     EXPECT_NEAR(turned.normal.y(), -1.0f, 1e-6f);
@@ -88,15 +98,17 @@ TEST(Manifold, TiltedBoxTouchesWithItsEdge) {
 TEST(Manifold, AFoldedUndersideIsHeldByAllItsCorners) {
   // The corners of the underside are not in one plane: two triangles, of which only one can be the incident face.
   const Convex floor = box(2.0f, 0.5f, 2.0f);
-  const std::vector<Vec3> points = {Vec3(-0.1f, 0.0f, -0.1f),  Vec3(0.1f, 0.0005f, -0.1f), Vec3(0.1f, 0.0f, 0.1f),
+  const std::vector<Vec3> points = {Vec3(-0.1f, 0.0f, -0.1f), Vec3(0.1f, 0.0005f, -0.1f), Vec3(0.1f, 0.0f, 0.1f),
                                     Vec3(-0.1f, 0.0005f, 0.1f), Vec3(0.01f, 0.02f, 0.0f)};
   const auto shard = geometry::makeHull(points);
   ASSERT_TRUE(static_cast<bool>(shard));
   for (const bool swapped : {false, true}) {
     Manifold m;
     const Transform above = at(0.0f, 0.4999f, 0.0f);
-    if (swapped) updateManifold(proxy(shard.value()), above, 0.01f, proxy(floor), Transform{}, 0.5f, 0.005f, kClipped, m);
-    else updateManifold(proxy(floor), Transform{}, 0.5f, proxy(shard.value()), above, 0.01f, 0.005f, kClipped, m);
+    if (swapped)
+      updateManifold(proxy(shard.value()), above, 0.01f, proxy(floor), Transform{}, 0.5f, 0.005f, kClipped, m);
+    else
+      updateManifold(proxy(floor), Transform{}, 0.5f, proxy(shard.value()), above, 0.01f, 0.005f, kClipped, m);
     EXPECT_EQ(m.count, 4);
   }
 }
@@ -125,7 +137,8 @@ TEST(Manifold, BallsHaveOnePointWhateverTheKind) {
   for (const ManifoldSettings& settings : {kClipped, kRecycling, kIncremental}) {
     Manifold m;
     for (int tick = 0; tick < 20; ++tick) {
-      const Transform pose{Vec3(0.02f * static_cast<float>(tick), 0.74f, 0.0f), rotationAbout(Vec3::UnitZ(), 0.3f * static_cast<float>(tick))};
+      const Transform pose{Vec3(0.02f * static_cast<float>(tick), 0.74f, 0.0f),
+                           rotationAbout(Vec3::UnitZ(), 0.3f * static_cast<float>(tick))};
       updateManifold(proxy(cube), Transform{}, 0.5f, ball(0.25f), pose, 0.25f, 0.02f, settings, m);
       expectConsistent(m, Transform{}, pose, 0.02f);
       ASSERT_EQ(m.count, 1);
@@ -154,8 +167,8 @@ TEST(Manifold, ASlidingTurningBoxKeepsItsImpulses) {
         const Vec3& corner = m.points[i].localB;
         const float name = (corner.x() > 0.0f ? 1.0f : 2.0f) + (corner.z() > 0.0f ? 10.0f : 20.0f);
         if (tick > 0) {
-        EXPECT_EQ(m.points[i].normalImpulse, name) << "tick " << tick;
-      }
+          EXPECT_EQ(m.points[i].normalImpulse, name) << "tick " << tick;
+        }
         m.points[i].normalImpulse = name;
       }
     }
@@ -173,8 +186,7 @@ TEST(Manifold, RestingPairIsOnlyRefreshedButWithItsTrueSeparations) {
   updateManifold(proxy(floor), Transform{}, 0.5f, proxy(cube), rocked, 0.5f, 0.02f, kRecycling, m);
   EXPECT_EQ(m.computedAt.position, computedAt.position);  // not computed again
   ASSERT_EQ(m.count, 4);
-  for (int i = 0; i < 4; ++i)
-    EXPECT_NEAR(m.points[i].separation, rocked.toWorld(m.points[i].localB).y() - 0.5f, 1e-6f);
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(m.points[i].separation, rocked.toWorld(m.points[i].localB).y() - 0.5f, 1e-6f);
   // Both turning together by a lot is not moving either, and the normal turns with them.
   const Transform world{Vec3(3.0f, 1.0f, -2.0f), rotationAbout(Vec3(0.6f, 0.0f, 0.8f), 1.2f)};
   updateManifold(proxy(floor), world, 0.5f, proxy(cube), world * rocked, 0.5f, 0.02f, kRecycling, m);
@@ -197,7 +209,8 @@ TEST(Manifold, ALongPlateIsComputedAgainBeforeItsFarEndMoved) {
     updateManifold(proxy(floor), Transform{}, 0.5f, proxy(plate), tilted(angle), 0.02f, 0.01f, kRecycling, m);
     float deepest = 1.0f, expected = 1.0f;
     for (int i = 0; i < m.count; ++i) deepest = std::min(deepest, m.points[i].separation);
-    for (const geometry::Vertex& vertex : plate.vertices) expected = std::min(expected, tilted(angle).toWorld(vertex.point).y() - 0.5f);
+    for (const geometry::Vertex& vertex : plate.vertices)
+      expected = std::min(expected, tilted(angle).toWorld(vertex.point).y() - 0.5f);
     EXPECT_NEAR(deepest, expected, 0.1f * 0.02f);
     if (2.0f * angle < 0.008f) {
       EXPECT_EQ(m.count, 4) << angle;
@@ -300,13 +313,14 @@ TEST(Manifold, RandomHullsAreConsistentAndTheDeepestPointIsAmongTheirs) {
     ASSERT_EQ(m.count > 0, s.distance <= margin);
     float deepest = 1.0f;
     for (int k = 0; k < m.count; ++k) deepest = std::min(deepest, m.points[k].separation);
-    // A face's normal may stand in for a direction up to 11 degrees off, which shortens a gap by 2 % and deepens an overlap.
+    // A face's normal may stand in for a direction up to 11 degrees off, which shortens a gap by 2 % and deepens an
+    // overlap.
     if (m.count > 0 && s.distance > 0.0f) {
-        EXPECT_NEAR(deepest, s.distance, 0.02f * s.distance + 0.02f * 0.02f + 1e-5f);
-      }
+      EXPECT_NEAR(deepest, s.distance, 0.02f * s.distance + 0.02f * 0.02f + 1e-5f);
+    }
     if (m.count > 0 && s.distance <= 0.0f) {
-        EXPECT_LE(deepest, s.distance + 0.02f * 0.02f + 1e-5f);
-      }
+      EXPECT_LE(deepest, s.distance + 0.02f * 0.02f + 1e-5f);
+    }
   }
 }
 

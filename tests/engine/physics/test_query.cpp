@@ -80,7 +80,8 @@ TEST(Query, SpheresStopWhereTheyTouch) {
         for (const BodyHandle body : scene.bodies) {
           geometry::SimplexCache cache;
           const Transform pose{from + (to - from) * fraction, Quat::Identity()};
-          gap = std::min(gap, geometry::separation(ball, pose, scene.proxy(body), scene.world.body(body).pose, cache).distance);
+          gap = std::min(
+              gap, geometry::separation(ball, pose, scene.proxy(body), scene.world.body(body).pose, cache).distance);
         }
         return gap;
       };

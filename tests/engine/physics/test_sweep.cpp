@@ -31,8 +31,8 @@ TEST(Sweep, WhatIsHitDoesNotFlyThroughWhatWasOutOfItsReach) {
   }
 }
 
-// The plate is heavier than the balls by so little that the solver alone cannot hold them, and where they meet it depends
-// on its having moved first.
+// The plate is heavier than the balls by so little that the solver alone cannot hold them, and where they meet it
+// depends on its having moved first.
 TEST(Sweep, WhatIsHitDoesNotFlyThroughAPlateThatComesTowardsIt) {
   for (const float plateMass : {10.4f, 20.0f, 40.0f, 80.0f, 320.0f}) {
     for (int phase = 0; phase < 64; ++phase) {

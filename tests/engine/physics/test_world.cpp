@@ -33,7 +33,8 @@ TEST(World, AStackOfTenStandsForTenSeconds) {
   addFloor(world);
   std::vector<BodyHandle> boxes;
   for (int i = 0; i < 10; ++i)
-    boxes.push_back(addBox(world, bodyAt(Vec3(0.0f, 0.25f + 0.5f * static_cast<float>(i), 0.0f)), Vec3(0.25f, 0.25f, 0.25f)));
+    boxes.push_back(
+        addBox(world, bodyAt(Vec3(0.0f, 0.25f + 0.5f * static_cast<float>(i), 0.0f)), Vec3(0.25f, 0.25f, 0.25f)));
   for (int i = 0; i < 600; ++i) world.step(kTick);
   for (int i = 0; i < 10; ++i) {
     const Vec3 center = world.body(boxes[static_cast<std::size_t>(i)]).center;
@@ -102,7 +103,8 @@ TEST(World, TheSameSceneGivesTheSameHashesAndARestoredOneGoesOnAlike) {
     world.setAccuracy(accuracy);
     addFloor(world);
     addPane(world, Vec3(0.0f, 1.0f, 0.0f), Vec3(1.0f, 1.0f, 0.02f), 1.9f);
-    for (int i = 0; i < 5; ++i) addBox(world, bodyAt(Vec3(0.3f, 0.2f + 0.4f * static_cast<float>(i), -1.0f)), Vec3(0.2f, 0.2f, 0.2f));
+    for (int i = 0; i < 5; ++i)
+      addBox(world, bodyAt(Vec3(0.3f, 0.2f + 0.4f * static_cast<float>(i), -1.0f)), Vec3(0.2f, 0.2f, 0.2f));
     addBall(world, Vec3(0.1f, 1.1f, 5.0f), Vec3(0.0f, 1.0f, -20.0f), 0.1f, 1.0f);
   };
   World a, b, c;

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::uint64_t kBytes = sizeof(geometry::Vertex);
 
-geometry::Convex box(float half = 0.5f) { return geometry::makeBox<float>(Vec3(half, half, half)); }
+geometry::Convex box(float half = 0.5f) {
+  return geometry::makeBox<float>(Vec3(half, half, half));
+}
 
 class MeshStoreOnNull : public ::testing::Test {
  protected:

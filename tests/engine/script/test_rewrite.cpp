@@ -55,13 +55,20 @@ std::string randomExpression(Random& random, int depth) {
   const std::uint32_t kind = random.nextBelow(depth > 0 ? 12 : 3);
   const auto sub = [&] { return randomExpression(random, depth - 1); };
   switch (kind) {
-    case 0: return std::to_string(1 + random.nextBelow(5));
-    case 1: return "a";
-    case 2: return "t.b";
-    case 3: return "f(" + sub() + ")";
-    case 4: return "(" + sub() + ")";
-    case 5: return "- " + sub();
-    case 6: return "#t[" + std::to_string(1 + random.nextBelow(2)) + "]";
+    case 0:
+      return std::to_string(1 + random.nextBelow(5));
+    case 1:
+      return "a";
+    case 2:
+      return "t.b";
+    case 3:
+      return "f(" + sub() + ")";
+    case 4:
+      return "(" + sub() + ")";
+    case 5:
+      return "- " + sub();
+    case 6:
+      return "#t[" + std::to_string(1 + random.nextBelow(2)) + "]";
     case 7: {
       const std::string left = sub();
       return left + " % " + sub();
@@ -74,7 +81,8 @@ std::string randomExpression(Random& random, int depth) {
       const std::string left = sub();
       return left + " * " + sub();
     }
-    case 10: return "2 ^ -" + std::to_string(random.nextBelow(3)) + " ^ " + std::to_string(random.nextBelow(3));
+    case 10:
+      return "2 ^ -" + std::to_string(random.nextBelow(3)) + " ^ " + std::to_string(random.nextBelow(3));
     default: {
       const std::string left = sub();
       return left + " - " + sub();
@@ -87,7 +95,8 @@ TEST(Rewrite, KeepsTheMeaningOfRandomExpressions) {
   // f adds parentheses of its own, so that a wrong binding shows; numbers stay small and exact.
   for (int i = 0; i < 400; ++i) {
     const std::string expression = randomExpression(random, 4);
-    const std::string prefix = "local a, t = 3, {'xx', {1, 2, 3}, b = 2} local function f(x) return x + 1 end result = ";
+    const std::string prefix =
+        "local a, t = 3, {'xx', {1, 2, 3}, b = 2} local function f(x) return x + 1 end result = ";
     lua_State* plain = luaL_newstate();
     luaL_openlibs(plain);
     ASSERT_EQ(luaL_loadstring(plain, (prefix + expression).c_str()), 0) << expression << lua_tostring(plain, -1);

@@ -8,8 +8,8 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Sandbox, ReachesNothingOutsideOfItself) {
-  for (const char* name : {"io", "os", "package", "require", "dofile", "loadfile", "load", "loadstring", "debug", "collectgarbage",
-                           "getmetatable", "setmetatable", "coroutine", "pcall", "module"})
+  for (const char* name : {"io", "os", "package", "require", "dofile", "loadfile", "load", "loadstring", "debug",
+                           "collectgarbage", "getmetatable", "setmetatable", "coroutine", "pcall", "module"})
     EXPECT_EQ(resultOf(std::string("result = type(") + name + ")"), Value("nil")) << name;
   EXPECT_EQ(resultOf("result = type(string.dump)"), Value("nil"));
 }
@@ -33,7 +33,8 @@ TEST(Sandbox, CallsFunctionsByNameWithArguments) {
 }
 
 TEST(Sandbox, ErrorsNameFileAndLine) {
-  EXPECT_EQ(errorOf("x = 1\ny = x + nil_thing"), "t.lua:2: attempt to perform arithmetic on global 'nil_thing' (a nil value)");
+  EXPECT_EQ(errorOf("x = 1\ny = x + nil_thing"),
+            "t.lua:2: attempt to perform arithmetic on global 'nil_thing' (a nil value)");
   EXPECT_EQ(errorOf("error('mine')"), "t.lua:1: mine");
   EXPECT_EQ(errorOf("error('mine', 0)"), "t.lua:1: mine");
   EXPECT_EQ(errorOf("error({})"), "t.lua:1: the error is a table");
@@ -66,9 +67,11 @@ TEST(Sandbox, ALoopForEverEnds) {
 TEST(Sandbox, LongStringsMakeInstructionsDearer) {
   const auto errorWith = [](int length, const std::string& work) {
     const std::string n = std::to_string(length);
-    return errorOf("local s = string.rep('\\0', " + n + ") .. '1' local d = string.rep('1', " + n + ") for i = 1, 20000 do " + work + " end");
+    return errorOf("local s = string.rep('\\0', " + n + ") .. '1' local d = string.rep('1', " + n +
+                   ") for i = 1, 20000 do " + work + " end");
   };
-  for (const std::string work : {"local x = s < s .. '2'", "local x = d + 1", "local x = tonumber(d, 36)", "local x = d:byte(1, 9)"}) {
+  for (const std::string work :
+       {"local x = s < s .. '2'", "local x = d + 1", "local x = tonumber(d, 36)", "local x = d:byte(1, 9)"}) {
     EXPECT_EQ(errorWith(200, work), "no error") << work;
     EXPECT_THAT(errorWith(50000, work), HasSubstr("t.lua:1: the budget")) << work;
   }
@@ -97,13 +100,15 @@ TEST(Sandbox, TheBudgetOfACallIsItsOwn) {
 }
 
 TEST(Sandbox, MemoryWithoutEndEnds) {
-  EXPECT_THAT(errorOf("local s = 'x'\nwhile true do s = s .. s end"), HasSubstr("t.lua:2: the memory budget is used up"));
+  EXPECT_THAT(errorOf("local s = 'x'\nwhile true do s = s .. s end"),
+              HasSubstr("t.lua:2: the memory budget is used up"));
   EXPECT_THAT(errorOf("local t = {} while true do t[#t + 1] = {} end"), HasSubstr("budget"));
   EXPECT_THAT(errorOf("local t = {} for i = 1, 1e9 do t[i] = i end"), HasSubstr("memory budget"));
   EXPECT_THAT(errorOf("local s = string.rep('x', 1e9)"), HasSubstr("string.rep"));
   EXPECT_THAT(errorOf("local s = string.rep('', 1e15)"), HasSubstr("no error"));
   EXPECT_THAT(errorOf("local s = string.rep('x', 60000) for i = 1, 1e6 do local t = s .. i end"), HasSubstr("budget"));
-  EXPECT_THAT(errorOf("local s, t = string.rep('x', 60000), {} for i = 1, 200 do t[i] = s .. i end"), HasSubstr("memory budget"));
+  EXPECT_THAT(errorOf("local s, t = string.rep('x', 60000), {} for i = 1, 200 do t[i] = s .. i end"),
+              HasSubstr("memory budget"));
 }
 
 TEST(Sandbox, RecursionWithoutEndEnds) {
@@ -117,7 +122,8 @@ TEST(Sandbox, RecursionWithoutEndEnds) {
 
 TEST(Sandbox, ASandboxGoesOnAfterItsMemoryRanOut) {
   Sandbox sandbox(noLibrary());
-  ASSERT_TRUE(sandbox.load("function fill() local t = {} while true do t[#t + 1] = 'a' .. #t end end function one() return 1 end", "t"));
+  ASSERT_TRUE(sandbox.load(
+      "function fill() local t = {} while true do t[#t + 1] = 'a' .. #t end end function one() return 1 end", "t"));
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(sandbox.call("fill"));
     EXPECT_EQ(*sandbox.call("one"), Value(1.0));
@@ -125,7 +131,9 @@ TEST(Sandbox, ASandboxGoesOnAfterItsMemoryRanOut) {
   EXPECT_LT(sandbox.memoryUsed(), 9u << 20);
 }
 
-TEST(Sandbox, BytecodeIsRefused) { EXPECT_THAT(errorOf("\x1bLua\x52"), HasSubstr("t.lua")); }
+TEST(Sandbox, BytecodeIsRefused) {
+  EXPECT_THAT(errorOf("\x1bLua\x52"), HasSubstr("t.lua"));
+}
 
 TEST(Sandbox, ShowsNoAddress) {
   EXPECT_EQ(textOf("tostring({})"), "table");
@@ -143,8 +151,10 @@ TEST(Sandbox, SyntaxIsCheckedWithoutRunning) {
 
 TEST(Sandbox, SourcesCutOrChangedAnywhereNeverCrash) {
   const std::string source =
-      "local t = {a = 2 ^ 3, [1] = #'x' % 4; f = function(...) return ... end}\n--[[c]] x = t.f(1)[ [=[k]=] ] or -2 ^ -3 .. 'q\\z  w'\n";
-  for (std::size_t cut = 0; cut <= source.size(); ++cut) errorOf(source.substr(0, cut), {20000, 256u << 10, 64u << 10, 4096});
+      "local t = {a = 2 ^ 3, [1] = #'x' % 4; f = function(...) return ... end}\n--[[c]] x = t.f(1)[ [=[k]=] ] or -2 ^ "
+      "-3 .. 'q\\z  w'\n";
+  for (std::size_t cut = 0; cut <= source.size(); ++cut)
+    errorOf(source.substr(0, cut), {20000, 256u << 10, 64u << 10, 4096});
   for (std::size_t at = 0; at < source.size(); ++at) {
     for (int bit = 0; bit < 8; ++bit) {
       std::string flipped = source;

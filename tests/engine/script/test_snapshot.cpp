@@ -46,7 +46,8 @@ TEST(Snapshot, ARestoredScriptGoesOnAsTheOriginal) {
 TEST(Snapshot, WhatLongStringsMadeDearStaysDear) {
   const auto made = [] {
     Sandbox sandbox(noLibrary());
-    EXPECT_TRUE(sandbox.load("function grow() local s = string.rep('x', 60000) end function work() for i = 1, 20000 do end end", "t.lua"));
+    EXPECT_TRUE(sandbox.load(
+        "function grow() local s = string.rep('x', 60000) end function work() for i = 1, 20000 do end end", "t.lua"));
     return sandbox;
   };
   Sandbox original = made();
@@ -96,7 +97,8 @@ TEST(Snapshot, AFunctionMadeWhileRunningIsRefused) {
   ASSERT_TRUE(sandbox.load("function f() later = function() end end", "t.lua"));
   ASSERT_TRUE(sandbox.call("f"));
   ByteWriter out;
-  EXPECT_THAT(sandbox.save(out).error().message, testing::HasSubstr("'later': a function made while running cannot be saved"));
+  EXPECT_THAT(sandbox.save(out).error().message,
+              testing::HasSubstr("'later': a function made while running cannot be saved"));
   EXPECT_TRUE(out.bytes().empty());
 }
 

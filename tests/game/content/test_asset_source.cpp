@@ -44,7 +44,8 @@ TEST(AssetSource, FindsNamesWithAndWithoutTheirSuffixes) {
 }
 
 TEST(AssetSource, NamesNeverLeadOut) {
-  for (const char* name : {"", "/etc/passwd", "../secret", "a/../../b", "a//b", "./a", "a/.", "http://x/y", "user://a", "c:\\x", "a\\b", "a\nb", "a/"})
+  for (const char* name : {"", "/etc/passwd", "../secret", "a/../../b", "a//b", "./a", "a/.", "http://x/y", "user://a",
+                           "c:\\x", "a\\b", "a\nb", "a/"})
     EXPECT_FALSE(isSafeName(name)) << name;
   for (const char* name : {"a", "a/b.c", "..a/b..", "segments/x y.xml"}) EXPECT_TRUE(isSafeName(name)) << name;
   EXPECT_THAT(FolderSource({kData}).read("../assets/game.xml").error().message, HasSubstr("leads out"));

@@ -19,7 +19,8 @@ TEST(Number, ReadsWhatPeopleWrite) {
 }
 
 TEST(Number, RefusesWhatIsNone) {
-  for (const char* text : {"", " ", ".", "-", "1,5x", "1e", "1e+", "0x10", "nan", "inf", "1 2", "--1", "1.2.3", "e5", "1-2"})
+  for (const char* text :
+       {"", " ", ".", "-", "1,5x", "1e", "1e+", "0x10", "nan", "inf", "1 2", "--1", "1.2.3", "e5", "1-2"})
     EXPECT_FALSE(parseNumber(text)) << text;
 }
 

@@ -14,7 +14,9 @@ TEST(TemplateSet, KeepsTheFirstOfANameAndNamesTheRest) {
   ASSERT_EQ(set.find("pane")->attributes.size(), 4u);
   EXPECT_EQ(set.find("pane")->attributes[0].line, 3);
   EXPECT_EQ(set.find("none"), nullptr);
-  EXPECT_EQ(listed(set.problems), "t.xml:6: a template of this name exists already: the first counts, got 'pane'\nt.xml:7: <template> without a name\n");
+  EXPECT_EQ(listed(set.problems),
+            "t.xml:6: a template of this name exists already: the first counts, got 'pane'\nt.xml:7: <template> "
+            "without a name\n");
 }
 
 TEST(TemplateSet, CutOrChangedAnywhereItIsStillSound) {

@@ -85,7 +85,8 @@ TEST(Game, RefusesACutSnapshot) {
   ByteWriter out;
   game->save(out);
   const auto other = newGame(shippedAssets());
-  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{40}, out.bytes().size() / 2, out.bytes().size() - 1}) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{3}, std::size_t{40}, out.bytes().size() / 2, out.bytes().size() - 1}) {
     ByteReader in(std::span(out.bytes()).first(size));
     EXPECT_FALSE(other->restore(in)) << size;
   }
@@ -136,7 +137,8 @@ TEST(Game, AHoleThatWasShotIsAWayThrough) {
 }
 
 TEST(Game, ABallBreaksThePaneWhereItWasAimed) {
-  const content::MemorySource source = oneRoom("<obstacle pos=\"0 1 -10.5\" type=\"framedwindow\" param0=\"width=6\" param1=\"height=4\"/>");
+  const content::MemorySource source =
+      oneRoom("<obstacle pos=\"0 1 -10.5\" type=\"framedwindow\" param0=\"width=6\" param1=\"height=4\"/>");
   for (const float x : {-0.2f, 0.0f, 0.15f}) {
     const auto game = newTestGame(source);
     game->tick(throwAt(x, 0.05f));
@@ -179,7 +181,8 @@ TEST(Game, ACrystalPassedUnbrokenEndsTheStreak) {
 }
 
 TEST(Game, ADoorOpensForTheCamera) {
-  const content::MemorySource source = oneRoom("<obstacle pos=\"0 1 -14\" type=\"doors/basic\" param0=\"distance=5\"/>");
+  const content::MemorySource source =
+      oneRoom("<obstacle pos=\"0 1 -14\" type=\"doors/basic\" param0=\"distance=5\"/>");
   const auto game = newTestGame(source);
   const auto events = play(*game, 240);
   EXPECT_EQ(events.count(EventType::DoorOpens), 1u);

@@ -22,7 +22,9 @@ TEST(Material, SheetsCrackRadiallyAndBlocksByPlanes) {
   EXPECT_EQ(breakableOf(glass, Vec3(8.0f, 0.14f, 0.14f)).material.pattern, fracture::Pattern::Block);
 }
 
-TEST(Material, SteelDoesNotBreak) { EXPECT_EQ(breakableOf(*findMaterial(content::builtInMaterials(), "steel"), Vec3::Ones()).strength, 0.0f); }
+TEST(Material, SteelDoesNotBreak) {
+  EXPECT_EQ(breakableOf(*findMaterial(content::builtInMaterials(), "steel"), Vec3::Ones()).strength, 0.0f);
+}
 
 TEST(Material, BallsMeetEverythingThatCollidesAtAll) {
   Material material = *findMaterial(content::builtInMaterials(), "glass");
@@ -32,7 +34,9 @@ TEST(Material, BallsMeetEverythingThatCollidesAtAll) {
   EXPECT_EQ(surfaceOf(material).mask, 0u);
 }
 
-TEST(Material, UnknownNamesAreNull) { EXPECT_FALSE(findMaterial(content::builtInMaterials(), "unobtainium")); }
+TEST(Material, UnknownNamesAreNull) {
+  EXPECT_FALSE(findMaterial(content::builtInMaterials(), "unobtainium"));
+}
 
 }  // namespace
 }  // namespace brittle::sim

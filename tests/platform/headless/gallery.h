@@ -1,4 +1,5 @@
-// The scene the picture tests look at: a fogged corridor with whole and broken panes, glass blocks, metal and balls. Fixed seeds.
+// The scene the picture tests look at: a fogged corridor with whole and broken panes, glass blocks, metal and balls.
+// Fixed seeds.
 #pragma once
 
 #include "engine/render/bake.h"
