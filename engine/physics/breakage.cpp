@@ -127,6 +127,14 @@ void placePieces(State& state, const Fracture& result, std::size_t first, std::s
                kCrackSlop);
 }
 
+void placeAllPieces(State& state, const Fracture& result, Swap& swap) {
+  swap.shapeOfPiece.assign(result.pieces.size(), ShapeHandle{});
+  for (std::size_t first = 0, end = 0; first < result.pieces.size(); first = end) {
+    while (end < result.pieces.size() && result.pieces[end].source == result.pieces[first].source) ++end;
+    placePieces(state, result, first, end, swap);
+  }
+}
+
 /// Parts whose every piece was too small leave no shape.
 void dropLostShapes(State& state, const Fracture& result, const Swap& swap) {
   std::vector<bool>& kept = state.groupFlags;
@@ -137,6 +145,39 @@ void dropLostShapes(State& state, const Fracture& result, const Swap& swap) {
     moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
     dropShape(state, swap.shapes[i]);
   }
+}
+
+/// Masses of the bodies that came off, which are collided again. Returns how many.
+std::uint32_t settleNewBodies(State& state, const Fracture& result, const Swap& swap) {
+  std::uint32_t made = 0;
+  for (std::size_t g = 0; g < result.groups.size(); ++g) {
+    if (result.groups[g].keepsBody) continue;
+    updateMass(state, swap.bodyOfGroup[g]);
+    state.touchedBodies.push_back(swap.bodyOfGroup[g]);
+    ++made;
+  }
+  return made;
+}
+
+/// What is left of the body that was hit: it falls unless something of it is still anchored, and may be nothing.
+void settleOldBody(State& state, BodyHandle handle, const Fracture& result) {
+  bool isLeft = false;
+  bool isAnchored = false;
+  for (const fracture::Group& group : result.groups) {
+    isLeft = isLeft || group.keepsBody;
+    isAnchored = isAnchored || (group.keepsBody && group.anchored);
+  }
+  Body& body = state.bodies[handle];
+  body.brokenTick = state.tick;
+  body.seed = mixSeed(body.seed, 0);
+  if (!isLeft) {
+    dropBody(state, handle);
+    return;
+  }
+  if (body.type == BodyType::Static && !isAnchored) body.type = BodyType::Dynamic;
+  body.awake = body.type != BodyType::Static;
+  updateMass(state, handle);
+  state.touchedBodies.push_back(handle);
 }
 
 /// The cut knows its neighbours: their first contact needs no search.
@@ -231,39 +272,11 @@ std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact*
   state.counters.crumbs += static_cast<std::uint32_t>(result.crumbs.size());
 
   makeBodies(state, handle, striker, result, swap);
-  swap.shapeOfPiece.assign(result.pieces.size(), ShapeHandle{});
-  for (std::size_t first = 0; first < result.pieces.size();) {
-    std::size_t end = first + 1;
-    while (end < result.pieces.size() && result.pieces[end].source == result.pieces[first].source) ++end;
-    placePieces(state, result, first, end, swap);
-    first = end;
-  }
+  placeAllPieces(state, result, swap);
   dropLostShapes(state, result, swap);
   scatterCrumbs(state, old, color, result);
-
-  std::uint32_t made = 0;
-  bool keptAny = false;
-  bool keptAnchored = false;
-  for (std::size_t g = 0; g < result.groups.size(); ++g) {
-    const BodyHandle body = swap.bodyOfGroup[g];
-    keptAny = keptAny || result.groups[g].keepsBody;
-    keptAnchored = keptAnchored || (result.groups[g].keepsBody && result.groups[g].anchored);
-    if (result.groups[g].keepsBody) continue;
-    updateMass(state, body);
-    state.touchedBodies.push_back(body);
-    ++made;
-  }
-  Body& kept = state.bodies[handle];
-  kept.brokenTick = state.tick;
-  kept.seed = mixSeed(kept.seed, 0);
-  if (!keptAny) {
-    dropBody(state, handle);
-  } else {
-    if (kept.type == BodyType::Static && !keptAnchored) kept.type = BodyType::Dynamic;
-    kept.awake = kept.type != BodyType::Static;
-    updateMass(state, handle);
-    state.touchedBodies.push_back(handle);
-  }
+  const std::uint32_t made = settleNewBodies(state, result, swap);
+  settleOldBody(state, handle, result);
   seedContacts(state, result, swap);
   state.counters.pieces += made;
   return made;

@@ -10,6 +10,7 @@
 #include "engine/physics/accuracy.h"
 #include "engine/physics/body.h"
 #include "engine/physics/broad_phase.h"
+#include "engine/physics/budgets.h"
 #include "engine/physics/contact.h"
 #include "engine/physics/debris.h"
 #include "engine/physics/events.h"

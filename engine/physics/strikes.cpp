@@ -3,47 +3,18 @@
 #include <algorithm>
 
 #include "engine/core/profile.h"
-#include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
+#include "engine/physics/state.h"
 
 namespace brittle::physics {
 namespace {
 
-constexpr std::int32_t kOwnedTicks = 15;  // how long a piece spends its maker's budget (a quarter of a second)
-constexpr float kSweepTarget = 0x1p-20f;  // a sweep closer than this is a hit [m]
-constexpr float kWeakRatio = 0.25f;       // a closing impulse below this part of the capacity need not be swept
-constexpr float kAllSpent = 0.99f;    // part of the capacity that counts as all of it; what is not stopped decides [-]
 constexpr float kResidual = 2.5e-7f;  // closing speed left, relative to before, that counts as not stopped: 2 ulp
-
-/// Who pays: a fresh piece spends the budget of the striker that broke it loose.
-BodyHandle payerOf(const State& state, BodyHandle handle) {
-  const Body& body = state.bodies[handle];
-  const bool owned = body.striker && state.tick - body.bornTick <= kOwnedTicks && state.bodies.contains(body.striker);
-  return owned ? body.striker : handle;
-}
 
 /// Whether a body breaks at all in this tick: pieces born in it are rigid for the rest of it.
 bool canBreak(const State& state, const Body& body) {
   return body.breakable && body.bornTick != state.tick;
-}
-
-/// Where the budget of a pair is, or would be: budgets are sorted by striker, then struck.
-std::size_t budgetIndex(const State& state, BodyHandle striker, BodyHandle struck) {
-  const auto isBefore = [](const Budget& budget, const Budget& key) {
-    return budget.striker == key.striker ? budget.struck < key.struck : budget.striker < key.striker;
-  };
-  const auto it = std::lower_bound(state.budgets.begin(), state.budgets.end(), Budget{striker, struck}, isBefore);
-  return static_cast<std::size_t>(it - state.budgets.begin());
-}
-
-bool isBudgetOf(const State& state, std::size_t i, BodyHandle striker, BodyHandle struck) {
-  return i < state.budgets.size() && state.budgets[i].striker == striker && state.budgets[i].struck == struck;
-}
-
-float spentOn(const State& state, BodyHandle striker, BodyHandle struck) {
-  const std::size_t i = budgetIndex(state, striker, struck);
-  return isBudgetOf(state, i, striker, struck) ? state.budgets[i].spent : 0.0f;
 }
 
 /// Which of two breakable bodies a contact may break: the weaker, by slot if equal.
@@ -174,103 +145,9 @@ void classify(State& state, Strike& strike, float dt) {
   }
 }
 
-/// The body whose way is swept: the one that comes, or the struck one if the other stands still.
-BodyHandle sweptBody(const State& state, const Strike& strike) {
-  return state.bodies[strike.body].type == BodyType::Static ? strike.struck : strike.body;
-}
-
-geometry::Motion motionOf(const State& state, BodyHandle handle) {
-  const Body& body = state.bodies[handle];
-  const SolverBody& solved = state.solverBodies[handle.index];
-  return {body.pose, body.center, solved.velocity, solved.angularVelocity};
-}
-
-/// When the two bodies of a strike first meet within the rest of the tick, at the velocities after the solve; negative:
-/// never. [s]
-float timeReached(const State& state, const Strike& strike, float dt) {
-  float first = -1.0f;
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
-    const Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
-    const Shape& a = state.shapes[contact.a];
-    const Shape& b = state.shapes[contact.b];
-    const float time = timeLeft(state.bodyOf(a), state.bodyOf(b), dt);
-    const geometry::Impact impact =
-        geometry::timeOfImpact(proxyOf(a, state.meshes), motionOf(state, a.body), proxyOf(b, state.meshes),
-                               motionOf(state, b.body), time, kSweepTarget);
-    if (impact.hit && (first < 0.0f || impact.time < first)) first = impact.time;
-  }
-  return first;
-}
-
-void advanceBody(State& state, BodyHandle handle, float time) {
-  Body& body = state.bodies[handle];
-  if (!body.isDynamic() || time <= 0.0f) return;
-  const geometry::Motion motion = motionOf(state, handle);
-  body.pose = geometry::poseAt(motion, time);
-  body.center = body.pose.toWorld(body.localCenter);
-  body.timeUsed += time;
-}
-
-void markReached(State& state, const Strike& strike) {
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i)
-    state.contacts.at(state.strikes.contacts[strike.firstContact + i]).reached = true;
-}
-
 void removeContactImpulses(State& state, const Strike& strike) {
   for (std::uint32_t i = 0; i < strike.contactCount; ++i)
     state.contacts.at(state.strikes.contacts[strike.firstContact + i]).manifold.forgetImpulses();
-}
-
-void undo(SolverBody& body, const Vec3& impulse, const Vec3& at) {
-  body.applyImpulse(impulse, at - body.center);
-}
-
-/// Takes back what a strike's normals did to the velocities; friction through a gap is negligible and left.
-void undoNormals(State& state, const Strike& strike) {
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
-    Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
-    const BodyHandle a = state.shapes[contact.a].body;
-    const BodyHandle b = state.shapes[contact.b].body;
-    contact.waits = true;
-    for (int p = 0; p < contact.manifold.count; ++p) {
-      ManifoldPoint& point = contact.manifold.points[p];
-      const Vec3 at = 0.5f * (state.bodies[a].pose.toWorld(point.localA) + state.bodies[b].pose.toWorld(point.localB));
-      undo(state.solverBodies[a.index], contact.manifold.normal * point.normalImpulse, at);
-      undo(state.solverBodies[b.index], contact.manifold.normal * -point.normalImpulse, at);
-      point.normalImpulse = 0.0f;
-    }
-  }
-}
-
-/// Something pushed a weak strike to its limit through a gap that is still open: it would pay now and again when it
-/// touches.
-bool paidThroughGap(const State& state, std::size_t s) {
-  const Strike& strike = state.strikes.list[s];
-  const float spent = strike.impulse + spentByPartners(state.strikes, s);
-  return !strike.touching && spent >= strike.capacity * kAllSpent && strike.impulse > 0.0f;
-}
-
-/// Something drove a piece against glass, so that it may break what its own motion could not when that was measured.
-bool wasDriven(const State& state, const Strike& strike) {
-  if (strike.body == strike.striker || strike.leftSpeed * strike.mass < kWeakRatio * strike.capacity) return false;
-  for (std::uint32_t i = 0; i < strike.contactCount; ++i)
-    if (state.contacts.at(state.strikes.contacts[strike.firstContact + i]).waits) return false;  // once per tick
-  return true;
-}
-
-/// They get their impulse back and wait for the sweep like the strong ones.
-bool releaseStrikes(State& state) {
-  state.touchedBodies.clear();
-  for (std::size_t s = 0; s < state.strikes.list.size(); ++s) {
-    Strike& strike = state.strikes.list[s];
-    if (!strike.active || !(paidThroughGap(state, s) || wasDriven(state, strike))) continue;
-    undoNormals(state, strike);
-    state.touchedBodies.push_back(strike.body);
-    state.touchedBodies.push_back(strike.struck);
-  }
-  if (state.touchedBodies.empty()) return false;
-  state.contactSolver.storeBodies(state);
-  return true;
 }
 
 }  // namespace
@@ -287,19 +164,8 @@ float spentByPartners(const Strikes& strikes, std::size_t s) {
   return spent;
 }
 
-void fadeBudgets(State& state, float dt) {
-  const float keep = maxOf(0.0f, 1.0f - 60.0f * dt);
-  std::erase_if(state.budgets, [&](Budget& budget) {
-    budget.spent *= keep;
-    return budget.spent < 1e-12f || !state.bodies.contains(budget.striker) || !state.bodies.contains(budget.struck);
-  });
-}
-
-void charge(State& state, BodyHandle striker, BodyHandle struck, float impulse) {
-  const std::size_t i = budgetIndex(state, striker, struck);
-  if (!isBudgetOf(state, i, striker, struck))
-    state.budgets.insert(state.budgets.begin() + static_cast<std::ptrdiff_t>(i), Budget{striker, struck, 0.0f});
-  state.budgets[i].spent += impulse;
+BodyHandle sweptBody(const State& state, const Strike& strike) {
+  return state.bodies[strike.body].type == BodyType::Static ? strike.struck : strike.body;
 }
 
 void chargeStrikes(State& state, float dt) {
@@ -343,43 +209,6 @@ bool findSaturated(State& state) {
     any = any || (strike.saturated && strike.mayBreak);
   }
   return any;
-}
-
-bool advanceStrikers(State& state, float dt) {
-  BR_ZONE("advance strikers");
-  std::vector<Arrival>& arrivals = state.strikes.arrivals;
-  arrivals.clear();
-  if (state.accuracy.fractureMode != FractureMode::InStep) return false;
-  if (releaseStrikes(state)) return true;
-  for (const Strike& strike : state.strikes.list)
-    if (strike.saturated) state.bodies[sweptBody(state, strike)].waitsAtGlass = true;
-  for (std::uint32_t i = 0; i < state.strikes.list.size(); ++i) {
-    const Strike& strike = state.strikes.list[i];
-    if (strike.touching || strike.active || strike.capacity <= 0.0f ||
-        state.bodies[sweptBody(state, strike)].waitsAtGlass)
-      continue;
-    const float time = timeReached(state, strike, dt);
-    if (time >= 0.0f) arrivals.push_back({i, sweptBody(state, strike), time});
-  }
-  if (arrivals.empty()) return false;
-  std::sort(arrivals.begin(), arrivals.end(), [](const Arrival& a, const Arrival& b) {
-    if (!(a.body == b.body)) return a.body < b.body;
-    return a.time != b.time ? a.time < b.time : a.strike < b.strike;
-  });
-  state.touchedBodies.clear();
-  float firstTime = 0.0f;
-  for (const Arrival& arrival : arrivals) {
-    const bool first = state.touchedBodies.empty() || !(state.touchedBodies.back() == arrival.body);
-    if (first) {
-      firstTime = arrival.time;
-      advanceBody(state, arrival.body, arrival.time);
-      state.touchedBodies.push_back(arrival.body);
-    }
-    // What the same body reaches at the same moment (a seam between two panes) counts as well; later ones wait.
-    if (arrival.time <= firstTime) markReached(state, state.strikes.list[arrival.strike]);
-  }
-  detectCollisionsOf(state, state.touchedBodies, dt);
-  return true;
 }
 
 fracture::Impact impactOf(const State& state, const Strike& strike) {

@@ -15,6 +15,9 @@ namespace brittle::physics {
 
 struct State;
 
+inline constexpr float kWeakRatio = 0.25f;  // a closing impulse below this part of the capacity need not be swept [-]
+inline constexpr float kAllSpent = 0.99f;   // part of it that counts as all; what is not stopped decides [-]
+
 /// One body against one breakable body, over all their contacts, in one pass of the solver.
 struct Strike {
   BodyHandle body;                 // the other party of the contacts
@@ -67,19 +70,6 @@ struct Strikes {
   }
 };
 
-/// What a striker has spent on a breakable body lately: the owner of a strength budget.
-struct Budget {
-  BodyHandle striker, struck;
-  float spent = 0.0f;  // [N s], fading over 1/60 s
-
-  template <class Archive>
-  void serialize(Archive& a) {
-    a(striker);
-    a(struck);
-    a(spent);
-  }
-};
-
 /// A body that breaks now, and where it was hit: `impactCount` of State::impacts from `firstImpact` on.
 struct Breaking {
   BreakEvent event;
@@ -105,13 +95,12 @@ struct Held {
   }
 };
 
+/// The body whose way is swept: the one that comes, or the struck one if the other stands still.
+BodyHandle sweptBody(const State& state, const Strike& strike);
+
 /// What the other bodies of the same budget (a striker and its fresh pieces) spend on the same struck body. [N s]
 float spentByPartners(const Strikes& strikes, std::size_t strike);
 
-/// Lets last tick's spending fade: what counts is the last 1/60 s, whatever dt is. Once a tick.
-void fadeBudgets(State& state, float dt);
-/// Adds to what `striker` has spent on `struck`.
-void charge(State& state, BodyHandle striker, BodyHandle struck, float impulse);
 /// Charges what the contacts that are left at the end of a tick carried.
 void chargeStrikes(State& state, float dt);
 
@@ -121,9 +110,6 @@ void limitImpulses(State& state, float dt);
 /// After a solve: which strikes were not stopped by all they may spend. Per striking body only those count that it
 /// reached.
 bool findSaturated(State& state);
-/// Moves strikers that will reach something breakable within the tick to where they reach it first, at the velocity the
-/// solver left them. True if any moved: then their contacts touch, and the solver must run again.
-bool advanceStrikers(State& state, float dt);
 /// After the last round: what is saturated breaks next tick; its striker's motion ends where it is.
 void holdSaturated(State& state, float dt);
 

@@ -1,6 +1,7 @@
 #include "engine/physics/world.h"
 
 #include "engine/core/profile.h"
+#include "engine/physics/arrivals.h"
 #include "engine/physics/breakage.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
