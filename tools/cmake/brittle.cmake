@@ -28,17 +28,26 @@ function(brittle_library folder)
   endforeach()
 endfunction()
 
-# Precompiled: the standard library and Eigen only, never a header of ours.
+# Precompiled: the standard library, Eigen, and for tests GoogleTest; never a header of ours.
 function(brittle_precompile target)
-  if(NOT TARGET brittle_precompiled)
-    file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
-    add_library(brittle_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-    target_link_libraries(brittle_precompiled PRIVATE Eigen3::Eigen)
-    target_precompile_headers(brittle_precompiled PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cstdint>
-                              <functional> <map> <memory> <span> <string> <string_view> <vector>)
+  cmake_parse_arguments(ARG "TEST" "" "" ${ARGN})
+  set(headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cstdint> <functional> <map> <memory> <span> <string> <string_view> <vector>)
+  set(precompiled brittle_precompiled)
+  set(libraries Eigen3::Eigen)
+  if(ARG_TEST)
+    list(APPEND headers <gmock/gmock.h> <gtest/gtest.h>)
+    set(precompiled brittle_precompiled_tests)
+    set(libraries Eigen3::Eigen GTest::gtest GTest::gmock)
   endif()
-  target_link_libraries(${target} PRIVATE Eigen3::Eigen)
-  target_precompile_headers(${target} REUSE_FROM brittle_precompiled)
+  if(NOT TARGET ${precompiled})
+    file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "")
+    add_library(${precompiled} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(${precompiled} PRIVATE ${libraries})
+    target_compile_options(${precompiled} PRIVATE $<$<BOOL:${ARG_TEST}>:${BRITTLE_TEST_OPTIONS}>)
+    target_precompile_headers(${precompiled} PRIVATE ${headers})
+  endif()
+  target_link_libraries(${target} PRIVATE ${libraries})
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
 # A header-only package in /usr/include: a cross compiler must not see the rest of that folder, so it gets a folder of its own.
@@ -75,6 +84,9 @@ macro(brittle_find_packages)
   target_include_directories(brittle_gles_headers SYSTEM INTERFACE ${gles_INCLUDE_DIRS})
 endmacro()
 
+# What a test spends its time in is the library it tests; the tests themselves are two fifths of the build at -O2.
+set(BRITTLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # One test program per folder: tests/FOLDER/test_*.cpp. Further arguments: what it links beside the folder's own library.
 # A suite whose name ends in Long takes minutes: FOLDER/long, labelled `long`, runs those, and only `tools/test --full` runs it.
 function(brittle_test folder)
@@ -84,7 +96,8 @@ function(brittle_test folder)
   endif()
   string(REPLACE "/" "_" name ${folder})
   add_executable(test_${name} ${sources})
-  brittle_precompile(test_${name})
+  brittle_precompile(test_${name} TEST)
+  target_compile_options(test_${name} PRIVATE ${BRITTLE_TEST_OPTIONS})
   target_compile_definitions(test_${name} PRIVATE BRITTLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BRITTLE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_link_libraries(test_${name} PRIVATE GTest::gtest_main GTest::gmock ${ARGN})
   add_test(NAME ${folder} COMMAND test_${name} --gtest_filter=-*Long.*:*Long/* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

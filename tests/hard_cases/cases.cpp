@@ -1,0 +1,37 @@
+// The list of hard cases. Each one's tests stand in a file that begins with its id; a case without tests is an error.
+#include "tests/hard_cases/case.h"
+
+namespace brittle::hard {
+namespace {
+
+constexpr Case kCases[] = {
+    // Breaking in the step.
+    {"B17", "100 m/s through a 2 cm pane, 64 phases", "v0 - J/M; momentum to 1e-5; energy never rises"},
+    {"B18", "a block cut to 100 shards at rest", "below 1e-3 m/s after 1 s; nothing moved by the slop"},
+    {"B19", "a block cut while it flies and spins", "v + w x r to 1e-5; momenta conserved to 1e-5"},
+    {"B20", "made 10 % deep inside glass", "pushing out breaks nothing"},
+    {"B21", "1 to 16 panes 5 cm apart at 5 to 200 m/s, 64 phases",
+     "exact count; exit speed within 2 % in the worst phase"},
+    {"B22", "joints on a shape that is split", "follow their piece or are gone; no jump; nothing dangles"},
+    {"B23", "a loaded chain whose middle link breaks", "finite; anchor errors below twice the earlier; energy not up"},
+    {"B24", "a ball rests on glass, then the strength drops", "10 s within 1 mm; one break; v = g t within 2 %"},
+    {"B25", "2, 8, 64 balls on one pane in one tick", "order does not matter; each pays once; exit within 2 %"},
+    {"B26", "a pile of 1000 boxes that all break", "ends in the allowed rounds; nothing dangles; none lost"},
+    {"B27", "a cascade A, B, C, D in one tick", "3 rounds: D held, then broken; unbounded: all; same momentum"},
+    {"B28", "J (1 - 1e-6) and J (1 + 1e-6)", "rebound and break; one crossing over 1000 speeds"},
+    {"B29", "1 kg under 10 t; a stack of ten that alternates", "10 s within 5 %; impulses add up to the weight"},
+    {"B30", "glancing and spinning hits", "friction at most mu times the capped impulse; no energy gained"},
+    {"B34", "sleeping shards hit, undermined, cut off", "what is touched wakes in one step; nothing floats"},
+    {"B35", "grazes within the speculative margin", "no break without a touch in 1e4"},
+    {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
+    {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
+    {"B45", "thirty identical rooms on end, and one far out", "every room the same hashes, tick by tick"},
+};
+
+}  // namespace
+
+std::span<const Case> allCases() {
+  return kCases;
+}
+
+}  // namespace brittle::hard

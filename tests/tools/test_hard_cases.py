@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""The table of hard cases as its reader meets it: JSON that is JSON, a row per case, names that do not exist refused.
+
+usage: test_hard_cases.py HARD_CASES
+"""
+import json
+import subprocess
+import sys
+import unittest
+
+PROGRAM = sys.argv.pop(1)
+FIELDS = ["id", "case", "criterion", "figure", "pass", "seconds"]
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120)
+
+
+class Table(unittest.TestCase):
+    def test_json_is_a_list_of_rows_in_order(self):
+        result = run("--json", "B24", "B18")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = json.loads(result.stdout)
+        self.assertEqual([row["id"] for row in rows], ["B18", "B24"])
+        for row in rows:
+            self.assertEqual(list(row), FIELDS)
+            self.assertIs(row["pass"], True)
+            self.assertGreater(row["seconds"], 0.0)
+
+    def test_markdown_has_a_line_per_case(self):
+        result = run("--markdown", "B18")
+        self.assertRegex(result.stdout, r"(?m)^\| B18 \|.*\| yes \|$")
+
+    def test_names_that_are_no_case_are_refused(self):
+        result = run("B18", "B99")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no case B99", result.stderr)
+
+    def test_help_has_examples(self):
+        self.assertIn("hard_cases --full B1 B21", run("--help").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
