@@ -1,0 +1,1 @@
+function init() while true do t = {t} end end
