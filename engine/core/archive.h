@@ -25,6 +25,10 @@ concept Quaternion = requires(T& v) {
 };
 }  // namespace archive_detail
 
+/// How many bytes a value takes at least when it is saved. [bytes]
+template <class T>
+std::size_t leastSaved();
+
 /// Walks over structs, vectors, fixed matrices and numbers; Derived handles numbers and vector sizes.
 template <class Derived>
 class Archive {
@@ -45,7 +49,7 @@ class Archive {
   }
   template <class T>
   void vector(std::vector<T>& values) {
-    self().resize(values);
+    self().resize(values, leastSaved<T>());
     for (T& value : values) (*this)(value);
   }
 
@@ -61,7 +65,7 @@ class SaveArchive : public Archive<SaveArchive> {
     out_.write(value);
   }
   template <class T>
-  void resize(std::vector<T>& values, std::size_t = 1) {
+  void resize(std::vector<T>& values, std::size_t, std::size_t = 0) {
     out_.write(static_cast<std::uint32_t>(values.size()));
   }
 
@@ -76,11 +80,12 @@ class RestoreArchive : public Archive<RestoreArchive> {
   void number(T& value) {
     value = in_.template read<T>();
   }
-  /// A size that the remaining bytes cannot hold, at `least` bytes for each, makes the reader bad and the vector empty.
+  /// A size that the remaining bytes cannot hold, at `least` bytes for each, or that is above `most` makes the reader
+  /// bad and the vector empty: what is allocated is a small multiple of the bytes there are, or bounded.
   template <class T>
-  void resize(std::vector<T>& values, std::size_t least = 1) {
+  void resize(std::vector<T>& values, std::size_t least, std::size_t most = ~std::size_t{0}) {
     const auto size = in_.read<std::uint32_t>();
-    if (size > in_.remaining() / least) {
+    if (size > in_.remaining() / least || size > most) {
       in_.fail();
       values.clear();
       return;
@@ -106,7 +111,7 @@ class HashArchive : public Archive<HashArchive> {
     }
   }
   template <class T>
-  void resize(std::vector<T>& values, std::size_t = 1) {
+  void resize(std::vector<T>& values, std::size_t, std::size_t = 0) {
     hash_.add(static_cast<std::uint32_t>(values.size()));
   }
   std::uint64_t value() const { return hash_.value(); }
@@ -114,5 +119,33 @@ class HashArchive : public Archive<HashArchive> {
  private:
   StateHash hash_;
 };
+
+class SizeArchive : public Archive<SizeArchive> {
+ public:
+  template <class T>
+  void number(T&) {
+    size_ += sizeof(T);
+  }
+  template <class T>
+  void resize(std::vector<T>&, std::size_t, std::size_t = 0) {
+    size_ += sizeof(std::uint32_t);
+  }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::size_t size_ = 0;
+};
+
+/// That of a default one: its lists are empty.
+template <class T>
+std::size_t leastSaved() {
+  static const std::size_t least = [] {
+    T value{};
+    SizeArchive size;
+    size(value);
+    return size.size();
+  }();
+  return least;
+}
 
 }  // namespace brittle

@@ -41,16 +41,20 @@ Result<std::string> readFile(const std::string& path, std::size_t most, const st
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
   if (!std::filesystem::exists(status)) return errorAt(path, 0, "no such file, expected " + expected);
   if (!std::filesystem::is_regular_file(status)) return errorAt(path, 0, "not a file, expected " + expected);
+  const std::uintmax_t size = std::filesystem::file_size(path, problem);
+  const Error tooLong = errorAt(path, 0, "too long, expected at most " + std::to_string(most) + " bytes");
+  if (!problem && size > most) return tooLong;
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (file == nullptr) return errorAt(path, 0, std::string("cannot be read: ") + std::strerror(errno));
   std::string bytes;
+  if (!problem) bytes.reserve(static_cast<std::size_t>(size));
   char block[65536];
   std::size_t read = 0;
   while (bytes.size() <= most && (read = std::fread(block, 1, sizeof block, file)) > 0) bytes.append(block, read);
   const bool failed = std::ferror(file) != 0;
   std::fclose(file);
   if (failed) return errorAt(path, 0, "cannot be read");
-  if (bytes.size() > most) return errorAt(path, 0, "too long, expected at most " + std::to_string(most) + " bytes");
+  if (bytes.size() > most) return tooLong;
   return bytes;
 }
 

@@ -12,6 +12,10 @@
 
 namespace brittle {
 
+/// A snapshot of a pool with more slots is refused: an empty slot is five bytes in it, and a whole value in memory.
+/// Chosen: twice the 32,000 bodies of the largest test, and of the largest values, 1 kB each, 64 MB.
+inline constexpr std::size_t kMostRestoredSlots = 65'536;
+
 template <class T, class HandleType>
 class SlotPool {
  public:
@@ -105,7 +109,7 @@ class SlotPool {
   template <class Archive>
   void serialize(Archive& archive) {
     archive.vector(free_);
-    archive.resize(slots_, sizeof(Slot::generation) + sizeof(Slot::alive));
+    archive.resize(slots_, sizeof(Slot::generation) + sizeof(Slot::alive), kMostRestoredSlots);
     for (Slot& slot : slots_) {
       archive(slot.generation);
       archive(slot.alive);

@@ -97,9 +97,13 @@ bool MeshPool::read(ByteReader& in) {
   return in.ok() && isConsistent();
 }
 
-/// What a damaged snapshot could break: every index stays within the arrays it points into.
+/// What a damaged snapshot could break: every index stays within the arrays it points into. Meshes lie apart: half a
+/// million that share the same edges would take hours to look at.
 bool MeshPool::isConsistent() const {
   std::uint32_t alive = 0;
+  std::size_t edges = 0;
+  for (const MeshInfo& mesh : meshes_) edges += mesh.alive ? mesh.edges.count : 0;
+  if (edges > edges_.size()) return false;
   for (const MeshInfo& mesh : meshes_) {
     if (!isWithin(mesh.vertices, vertices_.size()) || !isWithin(mesh.faces, faces_.size()) ||
         !isWithin(mesh.edges, edges_.size())) {

@@ -1,5 +1,8 @@
 #include "engine/physics/state_error.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace brittle::physics {
 namespace {
 
@@ -15,6 +18,7 @@ const char* findListError(const State& state) {
   std::size_t listed = 0;
   const char* error = nullptr;
   state.bodies.forEach([&](BodyHandle handle, const Body& body) {
+    if (error != nullptr) return;  // lists that run in circles cost their length once, not once for each body
     if (body.type > BodyType::Animated || body.breaking.material.pattern > fracture::Pattern::Laminated)
       return void(error = "a body is of no type");
     std::uint32_t count = 0;
@@ -50,13 +54,19 @@ const char* findContactError(const State& state, ShapeHandle handle, const Shape
   return count == shape.contactCount ? nullptr : "a shape has another number of contacts than it lists";
 }
 
+bool areAnchorsSound(const Shape& shape) {
+  if (shape.anchorCount > kMaxAnchors) return false;
+  return std::all_of(shape.anchors, shape.anchors + shape.anchorCount,
+                     [](const fracture::Anchor& anchor) { return anchor.pointCount <= std::size(anchor.points); });
+}
+
 const char* findShapeError(const State& state) {
   std::size_t contactSides = 0;
   const char* error = nullptr;
   state.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
     if (!shape.isSphere() && !state.meshes.isAlive(shape.mesh)) error = "a shape has no mesh";
     if (!isHeldInTree(state, handle, shape)) error = "a shape is not in the tree";
-    if (shape.anchorCount > kMaxAnchors) error = "a shape has too many anchors";
+    if (!areAnchorsSound(shape)) error = "a shape has too many anchors, or an anchor too many points";
     if (const char* found = findContactError(state, handle, shape, contactSides)) error = found;
   });
   if (error != nullptr) return error;

@@ -16,7 +16,7 @@ namespace brittle::replay {
 inline constexpr std::uint32_t kMaxTicks = 4 * 60 * 60 * 60;
 
 /// A longer snapshot is not recorded, and refused in a file [bytes]. Chosen: eleven times the largest of the shipped
-/// replays, 1.5 MB. A forged one can ask for 150 times its length in memory: an empty slot is 5 bytes in it.
+/// replays, 1.5 MB.
 inline constexpr std::size_t kLongestSnapshot = std::size_t{16} << 20;
 
 /// What a game needs to start again in the same state.

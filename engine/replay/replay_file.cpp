@@ -24,7 +24,7 @@ namespace {
 constexpr unsigned char kMagic[8] = {'B', 'R', 'I', 'T', 'T', 'L', 'E', 0x1a};
 constexpr std::size_t kHeaderSize = 8 + 4 + 4 + 8;
 constexpr std::size_t kChecksumSize = 8;
-constexpr std::size_t kLongestFile = 2u << 30;  // [bytes]; chosen: four hours in crowded rooms take a tenth
+constexpr std::size_t kLongestFile = 512u << 20;  // [bytes]; chosen: four hours in crowded rooms take half of it
 
 struct Packed {
   std::uint32_t size = 0;  // before compression

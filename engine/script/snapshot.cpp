@@ -20,6 +20,9 @@ constexpr const char* kBuiltins = "builtins";
 
 constexpr std::uint32_t kFormat = 0x53524232;  // "BRS2"
 
+/// Tables that are filled one by one end up to twice as large as a constructor makes them, and are copied as they grow.
+constexpr std::size_t kRestoreSlack = 4;
+
 enum class Tag : std::uint8_t { Nil, False, True, Number, Text, Table, Numbered };
 
 void getRegistered(lua_State* lua, const char* name) {
@@ -478,12 +481,12 @@ Status Sandbox::restore(ByteReader& in) {
   const auto increment = in.read<std::uint64_t>();
   const auto price = in.read<std::uint32_t>();
   state.beginRun(0);
-  state.unlimited = true;  // what is read is bounded by the bytes there are
+  state.slack = kRestoreSlack;
   const int status = state.protect([&in](lua_State* lua) {
     Restorer(lua, in).run();
     lua_settop(lua, 0);
   });
-  state.unlimited = false;
+  state.slack = 1;
   if (status != LUA_OK) return state.takeError(status);
   state.random.restore(position, increment);
   state.price = std::max(price, 1u);

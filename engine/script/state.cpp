@@ -129,7 +129,7 @@ void* SandboxState::allocate(void* self, void* block, std::size_t before, std::s
 
 bool SandboxState::admits(std::size_t before, std::size_t wanted, std::size_t largest) {
   churn_ += wanted - before;
-  const bool fits = unlimited || (wanted <= largest && used + (wanted - before) <= limits.memoryBytes &&
+  const bool fits = unlimited || (wanted <= largest * slack && used + (wanted - before) <= limits.memoryBytes * slack &&
                                   (!running || churn_ <= limits.memoryBytes * kChurnFactor));
   if (!fits) {
     // Lua now collects all its garbage and asks again. A script that lives at the limit would do so for ever.

@@ -80,6 +80,7 @@ class SandboxState {
   int builtins = 0;  // how many functions and tables had numbers before the first script
   bool running = false;
   bool unlimited = false;      // while our own code, not the script, asks for memory
+  std::size_t slack = 1;       // times the limits: while a saved state, which grew otherwise, is put together again
   std::vector<Key> keys;       // scratch of the sorted walks
   std::vector<Key> outerKeys;  // of a walk around another
 

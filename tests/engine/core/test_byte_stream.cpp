@@ -104,6 +104,21 @@ TEST(Archive, AnAbsurdSizeIsRefusedBeforeMemoryIsTaken) {
   EXPECT_TRUE(values.empty());
 }
 
+// Five bytes each: what would be allocated is at most what its bytes could fill.
+TEST(Archive, ASizeThatTheRemainingBytesCannotHoldIsRefusedBeforeMemoryIsTaken) {
+  for (const std::uint32_t count : {8u, 9u}) {
+    ByteWriter out;
+    out.write(count);
+    for (int i = 0; i < 40; ++i) out.write(std::uint8_t{0});
+    ByteReader in(out.bytes());
+    RestoreArchive restore(in);
+    std::vector<Inner> values;
+    restore.vector(values);
+    EXPECT_EQ(restore.ok(), count == 8);
+    EXPECT_EQ(values.capacity(), count == 8 ? 8u : 0u);
+  }
+}
+
 TEST(Archive, EveryFieldReachesTheHash) {
   const std::uint64_t base = hashed(example());
   const auto differs = [&](auto change) {

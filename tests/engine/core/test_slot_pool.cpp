@@ -89,5 +89,24 @@ TEST(SlotPool, ARestoredPoolContinuesAsTheSavedOne) {
   for (int i = 0; i < 500; ++i) ASSERT_EQ(copy.insert({i}), pool.insert({i}));
 }
 
+// An empty slot is five bytes in a snapshot and a whole value in memory.
+TEST(SlotPool, ASnapshotOfMoreEmptySlotsThanAnyPoolHasIsRefused) {
+  for (const std::size_t slots : {kMostRestoredSlots, kMostRestoredSlots + 1}) {
+    ByteWriter out;
+    out.write(std::uint32_t{0});
+    out.write(static_cast<std::uint32_t>(slots));
+    for (std::size_t i = 0; i < slots; ++i) {
+      out.write(std::uint32_t{1});
+      out.write(false);
+    }
+    ByteReader in(out.bytes());
+    RestoreArchive restore(in);
+    Pool pool;
+    pool.serialize(restore);
+    EXPECT_EQ(in.ok(), slots == kMostRestoredSlots);
+    EXPECT_EQ(pool.capacity(), slots == kMostRestoredSlots ? slots : 0u);
+  }
+}
+
 }  // namespace
 }  // namespace brittle

@@ -192,6 +192,22 @@ TEST(MeshPool, RefusesDamagedBytes) {
   }
 }
 
+// Two that share their edges are harmless; half a million would take hours to look at.
+TEST(MeshPool, RefusesMeshesThatShareTheirEdges) {
+  MeshPool pool;
+  pool.add(kBox, 1, 2);
+  const std::vector<unsigned char> bytes = bytesOf(pool);
+  constexpr std::size_t entry = 33;
+  ByteWriter out;
+  out.write(std::uint32_t{2});
+  for (int i = 0; i < 2; ++i) out.writeBytes(&bytes[4], entry);
+  out.writeBytes(&bytes[4 + entry], bytes.size() - 4 - entry - 4);
+  out.write(std::uint32_t{2});
+  ByteReader in(out.bytes());
+  MeshPool restored;
+  EXPECT_FALSE(restored.restore(in));
+}
+
 TEST(MeshPool, ReservedRoomIsEnough) {
   MeshPool pool;
   pool.reserve(100, 1600, 800, 3200);

@@ -48,6 +48,34 @@ TEST(StateError, ASoundSnapshotIsRestored) {
   EXPECT_TRUE(restoresAndSteps(crowdedSnapshot()));
 }
 
+/// Where a number of 32 bits comes after some others, in the bytes of a snapshot; 0 if it does not.
+std::size_t placeAfter(const std::vector<unsigned char>& bytes, const std::vector<float>& before) {
+  for (std::size_t i = 4; i + 4 * before.size() + 4 <= bytes.size(); ++i)
+    if (std::memcmp(&bytes[i], before.data(), 4 * before.size()) == 0) return i + 4 * before.size();
+  return 0;
+}
+
+TEST(StateError, AnAnchorOfMorePointsThanItHoldsIsRefused) {
+  World world;
+  const BodyHandle floor = addFloor(world);
+  const BodyHandle pane = addPane(world, Vec3(0.0f, 1.0f, 0.0f), Vec3(1.0f, 1.0f, 0.02f), 1.9f);
+  (void)floor;
+  ASSERT_GT(world.anchor(pane), 0u);
+  ByteWriter out;
+  world.save(out);
+  std::vector<unsigned char> bytes = out.bytes();
+  ASSERT_TRUE(restoresAndSteps(bytes));
+  const physics::Shape& shape = world.shape(world.body(pane).firstShape);
+  ASSERT_GT(shape.anchorCount, 0u);
+  std::vector<float> corner(3);
+  for (int i = 0; i < 3; ++i) corner[static_cast<std::size_t>(i)] = shape.anchors[0].points[0][i];
+  const std::size_t count = placeAfter(bytes, corner) - 16;
+  const std::uint32_t had = shape.anchors[0].pointCount, nine = 9;
+  std::memcpy(&bytes[count], &nine, 4);  // of which eight are read
+  bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(count) + 4, 12 * (8 - had), 0);
+  EXPECT_FALSE(restoresAndSteps(bytes));
+}
+
 TEST(StateError, AForgedSnapshotIsRefusedOrCanBeStepped) {
   const std::vector<unsigned char> good = crowdedSnapshot();
   const std::vector<std::size_t> places = placesOfSmallNumbers(good);

@@ -146,5 +146,37 @@ TEST(Snapshot, DamagedBytesNeverCrash) {
   }
 }
 
+/// The saved state of an empty script, whose globals are now `tables` empty tables.
+std::vector<unsigned char> forgedTables(const Sandbox& empty, std::uint32_t tables) {
+  constexpr std::size_t untilGlobals =
+      4 + 8 + 8 + 4 + 4 + 5;  // format, random stream, price, functions, the globals' name
+  constexpr std::uint8_t nil = 0, number = 3, table = 5;
+  ByteWriter saved, out;
+  EXPECT_TRUE(empty.save(saved));
+  out.writeBytes(saved.bytes().data(), untilGlobals);
+  for (std::uint32_t i = 0; i < tables; ++i) {
+    out.write(number);
+    out.write(static_cast<double>(i + 1));
+    out.write(table);
+    out.write(i + 2);
+  }
+  for (std::uint32_t i = 0; i <= tables; ++i) out.write(nil);
+  return out.bytes();
+}
+
+// A table of six bytes takes a hundred in memory: a script that had so many could not have made them.
+TEST(Snapshot, AStateThatNoScriptCouldHoldIsRefused) {
+  Limits limits;
+  limits.memoryBytes = 256u << 10;
+  for (const std::uint32_t tables : {100u, 20'000u}) {
+    Sandbox sandbox(noLibrary(), 0, limits);
+    ASSERT_TRUE(sandbox.load("", "t.lua"));
+    const std::vector<unsigned char> bytes = forgedTables(sandbox, tables);
+    ByteReader reader(bytes);
+    EXPECT_EQ(static_cast<bool>(sandbox.restore(reader)), tables == 100u);
+    EXPECT_LT(sandbox.memoryUsed(), 4 * limits.memoryBytes + 1);
+  }
+}
+
 }  // namespace
 }  // namespace brittle::script
