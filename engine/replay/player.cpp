@@ -41,12 +41,12 @@ namespace {
 
 /// Ticks `from` + 1 to `to` in a simulation that has done `from`.
 std::optional<Difference> compare(const Replay& replay, Simulation& simulation, std::uint32_t from, std::uint32_t to,
-                                  const std::function<void()>& ticked) {
+                                  const std::function<bool()>& ticked) {
   for (std::uint32_t tick = from; tick < to; ++tick) {
     simulation.tick(replay.frames[tick]);
     const std::uint64_t hash = simulation.hash();
     if (hash != replay.hashes[tick]) return Difference{tick + 1, replay.hashes[tick], hash, from, false};
-    ticked();
+    if (!ticked()) break;
   }
   return std::nullopt;
 }
@@ -54,17 +54,19 @@ std::optional<Difference> compare(const Replay& replay, Simulation& simulation, 
 }  // namespace
 
 std::optional<Difference> verify(const Replay& replay, const MakeSimulation& make,
-                                 const std::function<void(std::uint32_t, std::uint32_t)>& progress) {
+                                 const std::function<bool(std::uint32_t, std::uint32_t)>& progress) {
   const std::uint32_t first = replay.snapshots.empty() ? replay.ticks() : replay.snapshots.front().tick;
   const std::uint32_t all = replay.ticks() + (replay.ticks() - first);
   std::uint32_t done = 0;
+  bool goesOn = true;
   const auto ticked = [&] {
     ++done;
-    if (progress) progress(done, all);
+    goesOn = !progress || progress(done, all);
+    return goesOn;
   };
   const std::unique_ptr<Simulation> whole = make();
   if (const auto difference = compare(replay, *whole, 0, replay.ticks(), ticked)) return difference;
-  for (std::size_t i = 0; i < replay.snapshots.size(); ++i) {
+  for (std::size_t i = 0; i < replay.snapshots.size() && goesOn; ++i) {
     const Snapshot& snapshot = replay.snapshots[i];
     const std::uint32_t end = i + 1 < replay.snapshots.size() ? replay.snapshots[i + 1].tick : replay.ticks();
     const std::unique_ptr<Simulation> part = make();

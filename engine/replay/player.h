@@ -44,8 +44,9 @@ struct Difference {
 };
 
 /// Runs the whole replay from its start, ignoring snapshots, then from each snapshot to the next. The first difference,
-/// if any. `progress` is called after every tick with the ticks done of the whole run and of all.
+/// if any. `progress` is called after every tick with the ticks done of the whole run and of all; when it answers
+/// false, that was all, and nothing is known of the rest.
 std::optional<Difference> verify(const Replay& replay, const MakeSimulation& make,
-                                 const std::function<void(std::uint32_t, std::uint32_t)>& progress = {});
+                                 const std::function<bool(std::uint32_t, std::uint32_t)>& progress = {});
 
 }  // namespace brittle::replay

@@ -67,7 +67,8 @@ Game* runTo(script::Call& call, Smoke& smoke) {
     call.fail("tick " + smokeText(tick) + ": expected 0 to " + smokeText(kLongestRun));
   Game* game = call.failed() ? nullptr : smoke.game(call);
   if (game != nullptr) smoke.run(*game, static_cast<std::uint64_t>(tick));
-  return game;
+  if (smoke.isCalledOff()) call.fail("called off");
+  return call.failed() ? nullptr : game;
 }
 
 void restoreAt(script::Call& call, Smoke& smoke) {

@@ -35,6 +35,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -66,6 +67,7 @@ struct SmokeSettings {
   physics::Accuracy accuracy;
   std::optional<std::uint64_t> seed;          // instead of the script's; math.random follows it too
   std::map<std::string, std::string> values;  // of setting()
+  std::function<bool()> isCalledOff;  // asked before each tick: then the script ends with a failure; null: never
 };
 
 /// Plays the script `source`, named `name` in messages. A script that is wrong is a failure, not an error.

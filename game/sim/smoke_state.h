@@ -40,8 +40,9 @@ class Smoke {
     throws_[tick].push_back(aim);
     return true;
   }
+  bool isCalledOff() const { return settings.isCalledOff && settings.isCalledOff(); }
   void run(Game& game, std::uint64_t until) {
-    while (game.tickCount() < until) {
+    while (game.tickCount() < until && !isCalledOff()) {
       replay::InputFrame frame;
       if (game.tickCount() < throws_.size()) frame.throws = throws_[game.tickCount()];
       result.inputs.push_back(frame);

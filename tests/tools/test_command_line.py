@@ -5,10 +5,12 @@ usage: test_command_line.py PROGRAM ROOT
 """
 import os
 import pty
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -135,6 +137,37 @@ class CommandLine(unittest.TestCase):
             self.assertIn("progress.txt:2: nonsense: expected", result.stderr)
             self.assertEqual(kept.read_text(), "41 3 first\n")
 
+    def test_a_damaged_progress_is_kept_beside_the_new_one_and_no_older_one_is_lost(self):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            progress = Path(folder) / "brittle" / "progress.txt"
+            progress.parent.mkdir()
+            names = ["progress.txt.damaged", "progress.txt.damaged.2", "progress.txt.damaged.3"]
+            first, second, third = b"41 3 first\n39 \xff6 fir", b"\0\n" * 500, b"7 1 first\n" + b"x" * (1 << 20)
+            for damage in [first, second, first, third]:
+                progress.write_bytes(damage)
+                result = brittle("play", "--frames", "2", "--size", "160x90", "--mute", env=environment, errors="replace")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(sum("damaged, kept as it was in" in line for line in result.stderr.splitlines()), 1, result.stderr)
+                self.assertLess(result.stderr.count("\n"), 15, result.stderr)
+                self.assertLess(len(progress.read_bytes()), 100)
+            self.assertEqual(sorted(path.name for path in progress.parent.iterdir()), ["progress.txt", *names])
+            self.assertEqual([(progress.parent / name).read_bytes() for name in names], [first, second, third])
+
+    def test_a_damaged_progress_that_cannot_be_kept_stays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            progress = Path(folder) / "brittle" / "progress.txt"
+            progress.parent.mkdir()
+            progress.write_text("nonsense\n")
+            for number in range(20):
+                (progress.parent / ("progress.txt.damaged" + (f".{number + 1}" if number else ""))).write_text(str(number))
+            result = brittle("play", "--frames", "2", "--size", "160x90", "--mute", env=environment)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("progress.txt: damaged, and stays as it is", result.stderr)
+            self.assertEqual(progress.read_text(), "nonsense\n")
+            self.assertEqual((progress.parent / "progress.txt.damaged").read_text(), "0")
+
     def test_a_failed_expectation_is_an_answer_not_an_error(self):
         script = self.folder / "greedy.lua"
         script.write_text('run(10)\nexpect_broken(1000)\n')
@@ -226,6 +259,47 @@ class CommandLine(unittest.TestCase):
         pictures = [path.read_bytes() for path in sorted(out.iterdir())]
         self.assertEqual(len(pictures), 4)
         self.assertEqual(set(pictures), {pictures[0]})
+
+    def interrupted(self, *arguments, after="%"):
+        """Ctrl-C once standard error has said `after`: status 130, and one line beside the progress."""
+        child = subprocess.Popen([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
+        if after:
+            while after not in child.stderr.readline():
+                self.assertIsNone(child.poll())
+        else:
+            time.sleep(0.5)
+        child.send_signal(signal.SIGINT)
+        out, err = child.communicate(timeout=60)
+        self.assertEqual(child.returncode, 130, out + err)
+        self.assertEqual([line for line in err.splitlines() if not line.endswith("%")], ["brittle: interrupted"])
+        self.assertEqual(out, "")
+
+    def test_ctrl_c_leaves_nothing_half_written(self):
+        script = self.folder / "long.lua"
+        script.write_text("run(200000)\nexpect_finite()\n")
+        demo = ROOT / "assets/replays/demo.brt"
+        before = sorted(self.folder.rglob("*"))
+        self.interrupted("smoke", script, "--record", self.folder / "never.brt", after="")
+        self.interrupted("smoke", script, script, "--seeds", 5, after="")
+        self.interrupted("verify", demo, demo)
+        self.interrupted("render", demo, "--sound", self.folder / "never.wav")
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+        frames = self.folder / "some"
+        self.interrupted("render", demo, "--out", frames, "--size", "64x36")
+        self.assertTrue(list(frames.iterdir()))
+        for picture in frames.iterdir():
+            self.assertEqual(picture.suffix, ".png")
+            self.assertTrue(picture.read_bytes().endswith(b"IEND\xaeB`\x82"), picture)
+
+    def test_a_second_ctrl_c_ends_at_once(self):
+        script = self.folder / "endless.lua"
+        script.write_text("while true do end\n")
+        child = subprocess.Popen([str(PROGRAM), "smoke", str(script)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=ROOT)
+        time.sleep(0.3)
+        child.send_signal(signal.SIGINT)
+        time.sleep(0.1)
+        child.send_signal(signal.SIGINT)
+        self.assertIn(child.wait(timeout=60), [-signal.SIGINT, 130])
 
     def test_without_gl_it_says_what_is_missing(self):
         environment = dict(os.environ, __EGL_VENDOR_LIBRARY_DIRS=str(self.folder / "nowhere"))

@@ -113,17 +113,37 @@ class Movie(unittest.TestCase):
                              ("exit 0", "x.mp4: ffmpeg ended before the last frame")]:
             self.refused("--out", "x.mp4", "--frames", "0..9", says=says, env=self.path_with(script))
 
-    def test_a_signal_leaves_nothing_under_the_name(self):
-        reached = self.folder / "reached"
-        environment = self.path_with(f"head -c 100 >'{reached}'; exec sleep 60")  # takes the first frame and no more
-        child = subprocess.Popen(self.command("--out", "x.mp4", "--frames", "0..99"), cwd=self.folder, env=environment, stderr=subprocess.DEVNULL,
-                                 start_new_session=True)
+    def started(self, script):
+        """A rendering that has reached a fake ffmpeg, which writes its number to `encoder` and then does what the script says."""
+        reached = self.folder / "encoder"
+        child = subprocess.Popen(self.command("--out", "x.mp4", "--frames", "0..299"), cwd=self.folder, text=True, stderr=subprocess.PIPE,
+                                 env=self.path_with(f"head -c 100 >/dev/null; echo part >x.mp4.part; echo $$ >'{reached}'; {script}"), start_new_session=True)
         deadline = time.monotonic() + 60
         while not (reached.exists() and reached.stat().st_size) and time.monotonic() < deadline:
             time.sleep(0.02)
-        os.killpg(child.pid, signal.SIGTERM)  # as a terminal's ^C: to ffmpeg as well
-        self.assertEqual(child.wait(timeout=60), -signal.SIGTERM)
-        self.assertTrue(reached.exists())
+        return child, int(reached.read_text())
+
+    def test_ctrl_c_ends_ffmpeg_and_leaves_nothing(self):
+        waits, reads = "exec sleep 60", "exec cat >/dev/null"  # one whose input is full, and one that takes all there is
+        for script in [waits, reads]:
+            for everyone in [False, True]:  # a terminal's goes to ffmpeg as well
+                child, encoder = self.started(script)
+                before = sorted(path.name for path in self.folder.iterdir())
+                self.assertIn("x.mp4.part", before)
+                (os.killpg if everyone else os.kill)(child.pid, signal.SIGINT)
+                complaint = child.communicate(timeout=20)[1]
+                self.assertEqual(child.returncode, 130, complaint)
+                self.assertEqual([line for line in complaint.splitlines() if not line.endswith("%")], ["brittle: interrupted"])
+                self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["encoder", "fake"])
+                with self.assertRaises(ProcessLookupError):
+                    os.kill(encoder, 0)
+                (self.folder / "encoder").unlink()
+
+    def test_a_signal_leaves_nothing_under_the_name(self):
+        child, _ = self.started("exec sleep 60")  # takes the first frame and no more
+        os.killpg(child.pid, signal.SIGTERM)
+        child.communicate(timeout=60)
+        self.assertEqual(child.returncode, -signal.SIGTERM)
         self.assertFalse((self.folder / "x.mp4").exists())
 
 

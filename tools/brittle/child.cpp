@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "tools/brittle/interrupt.h"
+
 namespace brittle::program {
 
 Result<std::unique_ptr<Child>> Child::start(const std::vector<std::string>& words, const std::string& package) {
@@ -38,7 +40,10 @@ Status Child::launch(const std::vector<std::string>& words, const std::string& p
   posix_spawn_file_actions_destroy(&files);
   close(ends[0]);
   input_ = ends[1];
-  if (problem == 0) return Done{};
+  if (problem == 0) {
+    endOnInterrupt(process_);
+    return Done{};
+  }
   process_ = -1;
   if (problem == ENOENT) return Error{name_ + " is missing: apt-get install " + package};
   return Error{name_ + " cannot be run: " + std::strerror(problem)};
@@ -66,6 +71,7 @@ int Child::wait() {
   const pid_t process = std::exchange(process_, -1);
   while (process >= 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
+  if (process >= 0) endOnInterrupt(-1);
   return status;
 }
 

@@ -146,7 +146,9 @@ void addExplain(CLI::App& app, Action& action) {
 int run(int argc, char** argv) {
   CLI::App app("Brittle: throw balls at glass.", "brittle");
   app.require_subcommand(1);
-  app.footer("Each command has its own --help with examples.\nExit status: 0 done, 1 the answer is no, 2 wrong input.");
+  app.footer(
+      "Each command has its own --help with examples.\nExit status: 0 done, 1 the answer is no, 2 wrong input, 130 "
+      "Ctrl-C.");
   Action action;
   addPlay(app, action);
   addRender(app, action);

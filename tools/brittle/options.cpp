@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "tools/brittle/interrupt.h"
+
 namespace brittle::program {
 namespace {
 
@@ -37,12 +39,16 @@ Result<FrameRange> parseFrames(const std::string& text) {
   return range;
 }
 
+Error interruption() {
+  return {"interrupted"};
+}
+
 int refuse(const Error& error) {
-  std::string line = error.message;
+  std::string line = isInterrupted() ? interruption().message : error.message;
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 32) c = ' ';  // what was typed may hold line ends
   std::fprintf(stderr, "brittle: %s\n", line.c_str());
-  return kWrongInput;
+  return isInterrupted() ? kInterrupted : kWrongInput;
 }
 
 }  // namespace brittle::program

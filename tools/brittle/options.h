@@ -11,8 +11,9 @@
 
 namespace brittle::program {
 
-/// Exit statuses: done; the answer is no (a replay that differs, a smoke script or a level with faults); wrong input.
-inline constexpr int kDone = 0, kFailed = 1, kWrongInput = 2;
+/// Exit statuses: done; the answer is no (a replay that differs, a smoke script or a level with faults); wrong input;
+/// Ctrl-C (as a shell says it: 128 and the signal's number).
+inline constexpr int kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130;
 
 struct Size {
   int width = 640, height = 360;  // [pixels]
@@ -90,7 +91,10 @@ int smoke(const SmokeOptions& options);
 int check(const CheckOptions& options);
 int explain(const ExplainOptions& options);
 
-/// Prints "brittle: message" to standard error.
+/// Prints "brittle: message" to standard error; the exit status. After Ctrl-C whatever failed did so because of it, and
+/// the line says that instead.
 int refuse(const Error& error);
+/// What ended work says after Ctrl-C.
+Error interruption();
 
 }  // namespace brittle::program

@@ -109,10 +109,9 @@ int play(const PlayOptions& options) {
   if (!def) return refuse(def.error());
   const auto assets = openAssets(options.game.assets);
   if (!assets) return refuse(assets.error());
-  const std::string progressFile = progressPath();
-  sim::Progress progress = loadProgress(progressFile);
+  Saved saved = loadProgress(progressPath());
   def->title = true;
-  def->balls = progress.ballsAt(def->level, def->firstRoom);
+  def->balls = saved.progress.ballsAt(def->level, def->firstRoom);
   auto simulation = openGame(**assets, *def);
   if (!simulation) return refuse(simulation.error());
   const Status writable = options.record.empty() ? Status(Done{}) : checkWritable(options.record);
@@ -126,12 +125,12 @@ int play(const PlayOptions& options) {
 
   const std::unique_ptr<Speakers> speakers = options.mute ? nullptr : Speakers::open();
 
-  Player player(**assets, std::move(*simulation), **picture, speakers.get(), options, progress);
+  Player player(**assets, std::move(*simulation), **picture, speakers.get(), options, saved.progress);
   runtime::Loop loop(**opened, player);
   while (loop.frame()) {
   }
-  for (const Status& saved : {player.saveRecording(), saveProgress(progress, progressFile)})
-    if (!saved) return refuse(saved.error());
+  for (const Status& written : {player.saveRecording(), saveProgress(saved)})
+    if (!written) return refuse(written.error());
   std::printf("%.0f metres, %d balls left\n", static_cast<double>(player.game().hud().distance),
               player.game().hud().balls);
   return kDone;

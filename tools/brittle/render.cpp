@@ -9,6 +9,7 @@
 #include "game/view/memory.h"
 #include "platform/headless/headless.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/interrupt.h"
 #include "tools/brittle/movie.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/progress.h"
@@ -104,6 +105,7 @@ Status drawFrames(const Job& job, Canvas& canvas, const TakeFrame& take) {
       if (!taken) return taken;
     }
     progress.reached(frame - begin);
+    if (isInterrupted()) return interruption();
     if (frame >= frames.last) return Done{};
     player.step();
   }
@@ -186,6 +188,7 @@ int render(const RenderOptions& options) {
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
   const Job job{options, **assets, *replay, *frames};
+  catchInterrupts();
   if (!options.out.empty()) {
     const Status seen = Movie::isNamed(options.out) ? renderVideo(job) : renderPictures(job);
     if (!seen) return refuse(seen.error());

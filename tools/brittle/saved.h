@@ -9,9 +9,17 @@ namespace brittle::program {
 
 /// $XDG_DATA_HOME/brittle/progress.txt, or below ~/.local/share; empty if neither is known.
 std::string progressPath();
-/// None if the file is missing; lines that cannot be read are said once and left out.
-sim::Progress loadProgress(const std::string& path);
+
+struct Saved {
+  sim::Progress progress;
+  std::string path;  // where it goes; empty: nowhere
+};
+
+/// None if the file is missing. Lines that cannot be read are said and left out, and the file as it was is kept beside
+/// it as progress.txt.damaged, .damaged.2 and so on, for a person to look at; a file that cannot be kept stays, and
+/// nothing is saved over it.
+Saved loadProgress(const std::string& path);
 /// Beside the old file, which stays until the new one is whole.
-Status saveProgress(const sim::Progress& progress, const std::string& path);
+Status saveProgress(const Saved& saved);
 
 }  // namespace brittle::program

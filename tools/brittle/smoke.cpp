@@ -7,6 +7,7 @@
 #include "engine/replay/recorder.h"
 #include "engine/replay/replay_file.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/interrupt.h"
 
 namespace brittle::program {
 namespace {
@@ -19,6 +20,7 @@ Status record(const content::AssetSource& assets, const sim::SmokeResult& result
   if (!simulation) return simulation.error();
   replay::Recorder recorder(startOf((*simulation)->game()));
   for (const replay::InputFrame& input : result.inputs) {
+    if (isInterrupted()) return interruption();
     (*simulation)->tick(input);
     recorder.record(input, **simulation);
   }
@@ -49,6 +51,7 @@ int playSeeds(const content::AssetSource& assets, const std::string& path, const
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     settings.seed = seed;
     const sim::SmokeResult result = sim::runSmoke(assets, path, source, settings);
+    if (isInterrupted()) return refuse(interruption());
     print(path, result);
     std::printf("  seed %u: %s in room %d at %d m with %d balls\n", seed, nameOf(result.hud.phase), result.hud.room,
                 static_cast<int>(result.hud.distance), result.hud.balls);
@@ -64,6 +67,7 @@ int playOne(const content::AssetSource& assets, const std::string& path, const S
   const Result<std::string> source = readFile(path, kLongestScript, "a smoke script (.lua)");
   if (!source) return refuse(source.error());
   sim::SmokeSettings settings;
+  settings.isCalledOff = isInterrupted;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) return refuse({"--set " + setting + ": expected NAME=TEXT"});
@@ -71,6 +75,7 @@ int playOne(const content::AssetSource& assets, const std::string& path, const S
   }
   if (options.seeds > 0) return playSeeds(assets, path, *source, settings, options.seeds);
   const sim::SmokeResult result = sim::runSmoke(assets, path, *source, settings);
+  if (isInterrupted()) return refuse(interruption());
   print(path, result);
   if (!options.record.empty() && !result.inputs.empty()) {
     const Status written = record(assets, result, options.record);
@@ -88,8 +93,10 @@ int smoke(const SmokeOptions& options) {
   if (!writable) return refuse(writable.error());
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
+  catchInterrupts();
   int worst = kDone;
-  for (const std::string& script : options.scripts) worst = std::max(worst, playOne(**assets, script, options));
+  for (std::size_t i = 0; i < options.scripts.size() && !isInterrupted(); ++i)
+    worst = std::max(worst, playOne(**assets, options.scripts[i], options));
   return worst;
 }
 

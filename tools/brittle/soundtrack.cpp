@@ -5,6 +5,7 @@
 #include "engine/audio/wav.h"
 #include "game/sim/constants.h"
 #include "game/view/sound.h"
+#include "tools/brittle/interrupt.h"
 #include "tools/brittle/progress.h"
 
 namespace brittle::program {
@@ -26,6 +27,7 @@ Status writeSoundtrack(const replay::Replay& replay, GameSimulation& simulation,
     mixer.render(stereo);
     if (player.tick() >= frames.first) file->write(stereo);
     progress.reached(player.tick());
+    if (isInterrupted()) return interruption();
     if (player.tick() >= frames.last) return file->close();
     player.step();
   }

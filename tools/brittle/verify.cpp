@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "tools/brittle/game.h"
+#include "tools/brittle/interrupt.h"
 #include "tools/brittle/progress.h"
 
 namespace brittle::program {
@@ -43,8 +44,10 @@ int verifyOne(const content::AssetSource& assets, const std::string& name, std::
     Progress progress("verifying " + name, 100);
     difference = replay::verify(*replay, make, [&](std::uint32_t done, std::uint32_t of) {
       progress.reached(of == 0 ? 100 : static_cast<std::uint32_t>(100ull * done / of));
+      return !isInterrupted();
     });
   }
+  if (isInterrupted()) return refuse(interruption());
   if (difference) {
     printDifference(name, *difference);
     return kFailed;
@@ -59,8 +62,10 @@ int verifyOne(const content::AssetSource& assets, const std::string& name, std::
 int verify(const VerifyOptions& options) {
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
+  catchInterrupts();
   int worst = kDone;
-  for (const std::string& name : options.replays) worst = std::max(worst, verifyOne(**assets, name, options.ticks));
+  for (std::size_t i = 0; i < options.replays.size() && !isInterrupted(); ++i)
+    worst = std::max(worst, verifyOne(**assets, options.replays[i], options.ticks));
   return worst;
 }
 
