@@ -95,15 +95,31 @@ inline constexpr float kMostAngle = 1e6f;      // [rad]
 inline constexpr float kMostSpeed = 1000.0f;   // [m/s], [rad/s]
 inline constexpr std::uint32_t kMaxBodiesPerObstacle = 256;
 inline constexpr std::uint32_t kMaxShapesPerObstacle = 1024;
-inline constexpr std::uint32_t kMaxObstaclesPerRoom = 4000;
 inline constexpr std::int64_t kScriptInstructions =
     200'000;  // per call of a script; a busy obstacle needs a few thousand
+// Of an obstacle's script: its memory, of which an empty one takes 80 kB, and its text; those shipped have up to 3 kB.
+inline constexpr std::size_t kScriptMemory = 256u << 10;  // [bytes]
+inline constexpr std::size_t kLongestScript = 64u << 10;  // [bytes]
 inline constexpr int kCylinderSides = 12;
 inline constexpr float kButtonRadius = 0.2f;  // [m]
 inline constexpr float kLaserReach = 20.0f;   // [m]
-inline constexpr std::uint32_t kMaxSegmentsPerRoom = 400;
-inline constexpr std::uint32_t kMaxSolidsPerRoom =
-    20'000;                                         // boxes of all segments; a full room of the community has 1,000
-inline constexpr std::uint32_t kMaxProblems = 256;  // kept; the rest is counted
+
+// What a room holds, so that no level can hang the game or exhaust memory; what is beyond is said once and left out. A
+// room of the format has up to 12 segments, each with 58 boxes (at most 441) and 2.6 obstacles on average. Shipped
+// rooms have at most 62 obstacles, 33 bodies and 48 shapes of theirs at once, 4,034 contacts and 5,020 instructions in
+// a tick.
+inline constexpr std::uint32_t kMaxSegmentsPerRoom = 1000;  // and single boxes of its script
+inline constexpr std::uint32_t kMaxBoxesPerRoom = 10'000;   // and decals, of all segments
+inline constexpr float kCrowdCell = 8.0f;                   // [m] of a room's length
+inline constexpr std::uint32_t kMaxBoxesPerCell = 1500;     // reach into it: rays and pairs take time by their number
+inline constexpr std::uint32_t kMaxObstaclesPerRoom = 500;
+inline constexpr std::uint32_t kMaxBodiesPerRoom = 1500;      // of the obstacles that are alive
+inline constexpr std::uint32_t kMaxShapesPerRoom = 3000;      // too
+inline constexpr std::uint32_t kMaxContactsPerRoom = 16'000;  // 5 microseconds a tick each
+inline constexpr std::int64_t kRoomInstructions = 2'000'000;  // of all its obstacles' scripts in a tick: 10 ms
+inline constexpr std::int64_t kStartPrice = 20'000;           // of an obstacle, in instructions: its sandbox is made
+
+inline constexpr std::size_t kMaxContent = 64u << 20;  // of all files a game reads [bytes]; the shipped ones: 140 kB
+inline constexpr std::uint32_t kMaxProblems = 256;     // kept; the rest is counted
 
 }  // namespace brittle::sim::rules

@@ -1,6 +1,7 @@
 #include "game/sim/content_reader.h"
 
 #include "engine/core/hash.h"
+#include "game/sim/constants.h"
 
 namespace brittle::sim {
 
@@ -17,7 +18,13 @@ ContentReader::ContentReader(const content::AssetSource& assets)
 Result<std::string> ContentReader::text(const std::string& name) {
   const auto known = texts_.find(name);
   if (known != texts_.end()) return known->second;
-  Result<std::string> found = assets_.read(name);
+  Result<std::string> found = isFull_ ? Result<std::string>(Error{}) : assets_.read(name);
+  const std::size_t size = name.size() + (found ? found->size() : 0);
+  isFull_ = isFull_ || size > rules::kMaxContent - held_;
+  if (isFull_)  // and nothing is read any more: it would have to be read again each time it is asked for
+    return errorAt(name, 0,
+                   "not read: a game holds at most " + std::to_string(rules::kMaxContent) + " bytes of content");
+  held_ += size;
   // A sum of the files' hashes does not depend on the order in which a game happens to need them.
   if (found) hash_ += hashBytes(found->data(), found->size(), hashBytes(name.data(), name.size()));
   texts_.emplace(name, found);

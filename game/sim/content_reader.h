@@ -44,6 +44,8 @@ class ContentReader {
   std::vector<std::string> problems_;
   std::set<std::string> unknownTemplates_;
   std::uint64_t hash_ = 0;
+  std::size_t held_ = 0;  // names and texts [bytes]
+  bool isFull_ = false;
 };
 
 }  // namespace brittle::sim

@@ -25,18 +25,27 @@ int Obstacle::numberOf(physics::BodyHandle handle) {
 Status Obstacle::load() {
   const Result<std::string> source = room->readScript("obstacles/" + def->type + ".lua");
   if (!source) return source.error();
+  if (source->size() > rules::kLongestScript)
+    return errorAt(
+        "obstacles/" + def->type + ".lua", 0,
+        std::to_string(source->size()) + " bytes, expected at most " + std::to_string(rules::kLongestScript));
   script::Limits limits;
   scriptHashed_ = false;
   limits.instructions = rules::kScriptInstructions;
+  limits.memoryBytes = rules::kScriptMemory;
+  limits.largestBlockBytes = rules::kScriptMemory / 4;
+  limits.longestString = rules::kScriptMemory / 16;
   script = std::make_unique<script::Sandbox>(obstacleLibrary(), mixSeed(room->seed(), number), limits, this);
   return script->load(*source, def->type + ".lua");
 }
 
-void Obstacle::start() {
+std::int64_t Obstacle::start() {
   stage = Stage::Alive;
   Status status = load();
+  std::int64_t cost = rules::kStartPrice + (script ? script->instructionsUsed() : 0);
   if (status && script->has("init")) {
     const Result<script::Value> called = script->call("init");
+    cost += script->instructionsUsed();
     if (!called) status = called.error();
   }
   if (!status) {
@@ -50,21 +59,25 @@ void Obstacle::start() {
     if (made.userData == number && made.type == physics::BodyType::Static && made.breaking.strength > 0.0f)
       world.anchor(body.handle);
   }
+  return cost;
 }
 
-void Obstacle::tickScript() {
+std::int64_t Obstacle::tickScript(bool mayRun) {
   laser = false;
   beams.clear();
   ++ticks;
-  if (!failed && script && script->has("tick")) {
+  std::int64_t cost = 0;
+  if (mayRun && !failed && script && script->has("tick")) {
     scriptHashed_ = false;
     const Result<script::Value> called = script->call("tick");
     if (!called) {
       room->session().reportMissing("obstacle " + def->type, def->where, called.error().message);
       failed = true;  // its bodies stay as they are
     }
+    cost = script->instructionsUsed();
   }
   for (ScriptButton& button : buttons) button.justPressed = false;
+  return cost;
 }
 
 bool Obstacle::restoreScript(ByteReader& in) {
@@ -144,11 +157,35 @@ Vec3 anglesOf(const Quat& rotation) {
 }
 
 ScriptBody* readBody(script::Call& call, Obstacle& obstacle, int index) {
+  constexpr int searchPrice = 500;  // of a broken one its pieces are looked for among all bodies
   const int number = call.integer(index);
   if (call.failed()) return nullptr;
   ScriptBody* body = obstacle.bodyAt(number);
-  if (body == nullptr) call.fail("no body " + std::to_string(number));
+  if (body == nullptr)
+    call.fail("no body " + std::to_string(number));
+  else if (body->handle && !obstacle.room->world().isAlive(body->handle))
+    call.charge(searchPrice);
   return body;
+}
+
+void chargeForShapes(script::Call& call, const Obstacle& obstacle, const ScriptBody& body, int base, int each) {
+  const physics::World& world = obstacle.room->world();
+  const physics::BodyHandle handle = currentBody(obstacle, body);
+  const std::int64_t shapes = handle && world.isAlive(handle) ? world.body(handle).shapeCount : 0;
+  call.charge(base + each * shapes);
+}
+
+void chargeForRay(script::Call& call, const Obstacle& obstacle, const Vec3& from, const Vec3& to) {
+  constexpr std::int64_t base = 200, each = 3;
+  call.charge(base + each * obstacle.room->crowdBetween(from, to));
+}
+
+bool hasPlaceForBody(script::Call& call, const Obstacle& obstacle) {
+  const bool hasPlace = obstacle.bodies.size() < rules::kMaxBodiesPerObstacle && obstacle.room->hasPlaceForBody();
+  if (!hasPlace)
+    call.fail("too many bodies: expected at most " + std::to_string(rules::kMaxBodiesPerObstacle) +
+              " of an obstacle and " + std::to_string(rules::kMaxBodiesPerRoom) + " in a room");
+  return hasPlace;
 }
 
 physics::BodyHandle currentBody(const Obstacle& obstacle, const ScriptBody& body) {

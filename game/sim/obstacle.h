@@ -146,10 +146,11 @@ struct Obstacle {
   /// body.
   int numberOf(physics::BodyHandle handle);
 
-  /// Reads the script and calls its init(). What fails is reported, and what was made so far stays.
-  void start();
-  /// Calls its tick().
-  void tickScript();
+  /// Reads the script and calls its init(). What fails is reported, and what was made so far stays. Answers what that
+  /// took, in instructions.
+  std::int64_t start();
+  /// Calls its tick() if `mayRun`; what that took, in instructions.
+  std::int64_t tickScript(bool mayRun);
   /// Loads the script again after a restore, without effect on the world; then its saved state.
   bool restoreScript(ByteReader& in);
   void saveScript(ByteWriter& out) const;

@@ -27,4 +27,15 @@ ScriptBody* readBody(script::Call& call, Obstacle& obstacle, int index);
 /// A body that the script's body now is: itself, or the first that its pieces belong to. Null if none is left.
 physics::BodyHandle currentBody(const Obstacle& obstacle, const ScriptBody& body);
 
+// What a call takes beside the instructions of the script, in their price: 5 ns each, measured. Calls that take time by
+// the number of things there are would let a short script hang the game.
+
+/// `base`, and `each` for every shape of a body.
+void chargeForShapes(script::Call& call, const Obstacle& obstacle, const ScriptBody& body, int base, int each);
+/// A ray between two places of the room's local frame.
+void chargeForRay(script::Call& call, const Obstacle& obstacle, const Vec3& from, const Vec3& to);
+
+/// Fails the call if the obstacle, or its room, has all the bodies it may have.
+bool hasPlaceForBody(script::Call& call, const Obstacle& obstacle);
+
 }  // namespace brittle::sim

@@ -93,6 +93,7 @@ void isConnected(script::Call& call, Obstacle& obstacle) {
   const physics::World& world = obstacle.room->world();
   const physics::BodyHandle a = currentBody(obstacle, *first);
   const physics::BodyHandle b = currentBody(obstacle, *second);
+  call.charge(10 * static_cast<std::int64_t>(obstacle.joints.size()));
   bool connected = a && a == b;
   for (const physics::JointHandle joint : obstacle.joints) {
     if (!world.isAlive(joint) || !world.joint(joint).b) continue;

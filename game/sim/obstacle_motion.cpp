@@ -60,6 +60,7 @@ void apply(script::Call& call, Obstacle& obstacle, ScriptBody& body) {
   const physics::World& world = obstacle.room->world();
   const physics::BodyHandle handle = currentBody(obstacle, body);
   if (!handle) return;
+  call.charge(100);  // what it belongs to is looked for among all bodies
   const physics::BodyType type = world.body(handle).type;
   if (type == physics::BodyType::Animated) animate(obstacle, body);
   if (type == physics::BodyType::Dynamic) pull(obstacle, body, call.where());
@@ -120,6 +121,7 @@ void clonePose(script::Call& call, Obstacle& obstacle) {
   const physics::BodyHandle target = currentBody(obstacle, *to);
   const physics::BodyHandle source = currentBody(obstacle, *from);
   if (!target || !source) return;
+  chargeForShapes(call, obstacle, *to, 500, 300);
   const Transform& pose = world.body(source).pose;
   if (pose.position.cwiseAbs().maxCoeff() <= rules::kFarthest) world.setPose(target, pose);
 }

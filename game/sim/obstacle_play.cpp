@@ -13,6 +13,8 @@ namespace brittle::sim {
 
 namespace {
 
+constexpr int kEventPrice = 200;  // instructions: everyone who sees or hears it gets a copy
+
 void score(script::Call& call, Obstacle& obstacle) {
   const int worth = call.integer(1);
   if (!call.failed()) obstacle.crystal = clampTo(worth, 0, 100);
@@ -25,7 +27,7 @@ void clear(script::Call&, Obstacle& obstacle) {
 void createButton(script::Call& call, Obstacle& obstacle) {
   const Vec3 position = readVector(call, 1, rules::kFarthest);
   if (call.failed()) return;
-  if (obstacle.bodies.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many bodies");
+  if (!hasPlaceForBody(call, obstacle)) return;
   ScriptBody body;
   body.pose = {position, rotationAbout(Vec3::UnitX(), 0.5f * kPi)};  // its flat side towards the camera
   physics::World& world = obstacle.room->world();
@@ -70,10 +72,10 @@ void laser(script::Call& call, Obstacle& obstacle) {
   const Vec3 from = readVector(call, 1, rules::kFarthest);
   const Vec3 way = readVector(call, 4, rules::kFarthest);
   if (call.failed()) return;
-  call.charge(200);
   const Vec3 start = obstacle.pose().toWorld(from);
   const Vec3 direction = obstacle.pose().rotate(normalizedOr(way, Vec3::UnitX()));
   Vec3 end = start + direction * rules::kLaserReach;
+  chargeForRay(call, obstacle, start, end);
   const physics::RayResult ray = obstacle.room->world().castRay(start, end);
   if (ray.hit) end = ray.point;
   const Vec3 eye = obstacle.room->viewpoint().position;
@@ -87,6 +89,7 @@ void laser(script::Call& call, Obstacle& obstacle) {
 void show(script::Call& call, Obstacle& obstacle, EventType type, const Vec3& direction) {
   const Vec3 point = readVector(call, 1, rules::kFarthest);
   if (call.failed()) return;
+  call.charge(kEventPrice);
   Event event;
   event.type = type;
   event.point = obstacle.pose().toWorld(point);
@@ -162,6 +165,7 @@ void playSound(script::Call& call, Obstacle& obstacle) {
   const int number = call.integer(1);
   const float volume = call.real(2, 1.0f);
   if (call.failed()) return;
+  call.charge(kEventPrice);
   Event event;
   event.type = EventType::Sound;
   event.point = obstacle.pose().position;

@@ -16,10 +16,11 @@ void raycast(script::Call& call, Obstacle& obstacle) {
   const Vec3 to = readVector(call, 4, rules::kFarthest);
   const int mask = call.integer(7, 0x7fffffff);
   if (call.failed()) return;
-  call.charge(200);
   const physics::World& world = obstacle.room->world();
   const Transform pose = obstacle.pose();
-  const physics::RayResult ray = world.castRay(pose.toWorld(from), pose.toWorld(to), static_cast<std::uint32_t>(mask));
+  const Vec3 start = pose.toWorld(from), end = pose.toWorld(to);
+  chargeForRay(call, obstacle, start, end);
+  const physics::RayResult ray = world.castRay(start, end, static_cast<std::uint32_t>(mask));
   if (!ray.hit) {
     call.result(false);
     return answer(call, to);
@@ -58,6 +59,7 @@ void bodyContainsPoint(script::Call& call, Obstacle& obstacle) {
   const ScriptBody* body = readBody(call, obstacle, 1);
   const Vec3 point = readVector(call, 2, rules::kFarthest);
   if (call.failed()) return;
+  chargeForShapes(call, obstacle, *body, 0, 20);
   const physics::World& world = obstacle.room->world();
   const physics::BodyHandle handle = currentBody(obstacle, *body);
   bool inside = false;
@@ -112,7 +114,7 @@ void addCameraCalls(script::Library& library) {
   });
   addCall(library, "mgGetGravity", [](script::Call& call, Obstacle& o) { call.result(o.room->gravity()); });
   addCall(library, "mgCanPass", [](script::Call& call, Obstacle& o) {
-    call.charge(2000);
+    call.charge(2000 + 50 * static_cast<std::int64_t>(o.shapes.size()));
     call.result(o.room->canPass(o));
   });
   addCall(library, "mgHasBoss", [](script::Call& call, Obstacle&) { call.result(false); });

@@ -61,7 +61,9 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   const Vec3 offset = readVector(call, firstPlaceArgument, rules::kFarthest, Vec3::Zero());
   const Vec3 angles = readVector(call, firstPlaceArgument + 3, rules::kMostAngle, Vec3::Zero());
   if (call.failed() || body == nullptr) return;
-  if (obstacle.shapes.size() >= rules::kMaxShapesPerObstacle) return call.fail("too many shapes");
+  if (obstacle.shapes.size() >= rules::kMaxShapesPerObstacle || !obstacle.room->hasPlaceForShape())
+    return call.fail("too many shapes: expected at most " + std::to_string(rules::kMaxShapesPerObstacle) +
+                     " of an obstacle and " + std::to_string(rules::kMaxShapesPerRoom) + " in a room");
   const Pen& pen = obstacle.pen;
   convex = geometry::transformed(convex, rotationXyz(angles), offset, pen.scale);
   const std::uint32_t color = packColor(pen.color[0], pen.color[1], pen.color[2], pen.color[3]);
@@ -100,7 +102,7 @@ void createBody(script::Call& call, Obstacle& obstacle) {
   const Vec3 position = readVector(call, 1, rules::kFarthest, Vec3::Zero());
   const Vec3 angles = readVector(call, 4, rules::kMostAngle, Vec3::Zero());
   if (call.failed()) return;
-  if (obstacle.bodies.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many bodies");
+  if (!hasPlaceForBody(call, obstacle)) return;
   ScriptBody body;
   body.pose = {position, rotationXyz(angles)};
   obstacle.bodies.push_back(body);
@@ -148,6 +150,11 @@ ScriptShape* readWholeShape(script::Call& call, Obstacle& obstacle) {
   return world.isAlive(shape.handle) && !world.shape(shape.handle).isPiece ? &shape : nullptr;
 }
 
+/// A body's mass is summed up anew over its shapes.
+void chargeForRemaking(script::Call& call, const Obstacle& obstacle, const ScriptShape& shape) {
+  chargeForShapes(call, obstacle, obstacle.bodies[shape.body - 1], 500, 20);
+}
+
 /// The same shape with another surface, `offset` [m] away in its body's frame. Joints that held it are gone.
 void remake(Obstacle& obstacle, ScriptShape& made, const physics::Surface& surface, const Vec3& offset) {
   physics::World& world = obstacle.room->world();
@@ -170,6 +177,7 @@ void translateShape(script::Call& call, Obstacle& obstacle) {
   const bool isRelative = call.boolean(5, true);
   ScriptShape* shape = readWholeShape(call, obstacle);
   if (call.failed() || shape == nullptr) return;
+  chargeForRemaking(call, obstacle, *shape);
   const Vec3 moved = isRelative ? Vec3(shape->moved + way) : way;
   if (!(moved.cwiseAbs().maxCoeff() <= rules::kFarthest)) return call.fail("the shape leaves the room");
   remake(obstacle, *shape, obstacle.room->world().shape(shape->handle).surface, moved - shape->moved);
@@ -182,6 +190,7 @@ void setShapeMask(script::Call& call, Obstacle& obstacle) {
   const int category = call.integer(3, 0);
   ScriptShape* shape = readWholeShape(call, obstacle);
   if (call.failed() || shape == nullptr) return;
+  chargeForRemaking(call, obstacle, *shape);
   physics::Surface surface = obstacle.room->world().shape(shape->handle).surface;
   surface.mask = surfaceOf(bits).mask;
   if (call.has(3)) surface.category = static_cast<std::uint32_t>(category);

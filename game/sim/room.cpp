@@ -49,11 +49,11 @@ void Room::tick(float distance, float speed, std::int32_t ticks) {
   shake_ = shake_ > 0.01f ? shake_ * 0.92f : 0.0f;
   buildSegments(distance);
   startObstacles(distance);
-  for (const std::unique_ptr<Obstacle>& obstacle : obstacles_)
-    if (obstacle->stage == Stage::Alive) obstacle->tickScript();
+  tickScripts();
   world_->step(rules::kTickSeconds);
   readEvents();
   removeBehind();
+  thinOut();
   ++ticks_;
 }
 
@@ -96,12 +96,15 @@ void Room::buildSegment(std::size_t index) {
     world_->addConvex(built.body, shape, geometry::makeBox<float>(box.halfExtents, box.center));
 }
 
+/// As many in a tick as its time allows: the others wait for the next.
 void Room::startObstacles(float distance) {
+  std::int64_t left = rules::kRoomInstructions;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
+    if (left <= 0) return;
     if (obstacle->stage != Stage::Waiting) continue;
     const bool isElevator = obstacle->def->type.find("elevator") != std::string::npos;
     const float ahead = isElevator ? rules::kSpawnAheadElevator : rules::kSpawnAhead;
-    if (-obstacle->def->position.z() < distance + ahead) obstacle->start();
+    if (-obstacle->def->position.z() < distance + ahead) left -= obstacle->start();
   }
 }
 

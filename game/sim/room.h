@@ -45,6 +45,11 @@ class Room {
   std::uint32_t ticks() const { return ticks_; }
   std::uint64_t seed() const { return seed_; }
   Result<std::string> readScript(const std::string& path);
+  /// Whether the obstacles that are alive may make another body, or shape.
+  bool hasPlaceForBody() const;
+  bool hasPlaceForShape() const;
+  /// What a ray between two places of the local frame may have to look at, at most: boxes of the room and shapes.
+  std::uint32_t crowdBetween(const Vec3& from, const Vec3& to) const;
   /// Whether the camera's volume fits along its line through what is left of the obstacle.
   bool canPass(const Obstacle& obstacle) const;
   void clearObstacle(Obstacle& obstacle);
@@ -96,6 +101,12 @@ class Room {
   void buildSegments(float distance);
   void buildSegment(std::size_t index);
   void startObstacles(float distance);
+  void tickScripts();
+  std::uint32_t scriptShapes() const;
+  std::vector<std::uint32_t> countContacts() const;
+  void thinOut();
+  void takeOut(Obstacle& obstacle);
+  static void retire(Obstacle& obstacle);
   void readEvents();
   void breakByCamera(physics::BodyHandle handle, const Vec3& point);
   void readBreak(const physics::BreakEvent& broken);

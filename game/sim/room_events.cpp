@@ -130,10 +130,7 @@ void Room::settleObstacles(const std::vector<std::uint32_t>& bodiesOf) {
       event.point = obstacle->pose().position;
       emit(event);
     }
-    if (!isBehind || bodiesOf[obstacle->number] > 0) continue;
-    obstacle->stage = Stage::Gone;
-    obstacle->script.reset();
-    obstacle->beams.clear();
+    if (isBehind && bodiesOf[obstacle->number] == 0) retire(*obstacle);
   }
 }
 

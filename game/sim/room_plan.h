@@ -11,6 +11,7 @@
 
 #include "engine/effects/effect_set.h"
 #include "engine/math/types.h"
+#include "game/sim/crowd.h"
 #include "game/sim/frame_packet.h"
 #include "game/sim/obstacle.h"
 #include "game/sim/session.h"
@@ -44,6 +45,8 @@ struct RoomSettings {
 struct RoomPlan {
   RoomSettings settings;
   std::vector<PlannedSegment> segments;
+  std::uint32_t boxes = 0;  // and decals, of all of them
+  Crowd crowd;
   std::deque<ObstacleDef> obstacles;  // addresses stay
   effects::EffectSet effects;         // what its script demands
 };
@@ -62,11 +65,14 @@ RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
                   std::map<std::string, std::string>& globals);
 
 /// Appends a segment of the content at `start` [m] with the obstacles it holds; its length, or 0 if it cannot be read,
-/// which is reported to be wanted at `where`.
+/// which is reported to be wanted at `where`. What the room cannot hold is left out, and reported once.
 float placeSegment(Session& session, const std::string& name, float start, const std::string& where, RoomPlan& plan);
 
-/// Appends a single box given in the room's frame.
-void placeBox(const LookBox& box, bool isSolid, RoomPlan& plan);
+/// Appends a single box given in the room's frame, under the same bounds.
+void placeBox(Session& session, const LookBox& box, bool isSolid, const std::string& where, RoomPlan& plan);
+
+/// Appends an obstacle; false, and reported once, if the room is full of them.
+bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan);
 
 /// The community's "stone": a box that is seen and does not collide. Three of four obstacles are stones, so they cost
 /// no script.

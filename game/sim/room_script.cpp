@@ -29,7 +29,6 @@ struct Builder {
   int last = -1;  // the choice made last
   Vec3 boxColor = Vec3::Ones();
   int boxTile = 0;
-  std::size_t solids = 0;  // of all segments
 };
 
 using Native = void (*)(script::Call&, Builder&);
@@ -48,16 +47,12 @@ Vec3 vectorAt(script::Call& call, int first) {
 void segment(script::Call& call, Builder& builder) {
   const std::string name = call.string(1);
   const float start = call.has(2) ? -call.real(2) : builder.placed;
-  call.charge(500);  // a file may have to be found and read
+  call.charge(1000);  // a file may have to be found and read
   if (call.failed()) return;
-  if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many segments");
   if (!(start > -1000.0f && start < 10000.0f))
     return call.fail("place " + std::to_string(start) + ": expected -1000 to 10000");
-  const std::size_t before = builder.plan.segments.size();
   const float length = placeSegment(builder.session, name, start, call.where(), builder.plan);
   builder.placed = maxOf(builder.placed, start + length);
-  if (builder.plan.segments.size() > before) builder.solids += builder.plan.segments.back().solids.size();
-  if (builder.solids > rules::kMaxSolidsPerRoom) return call.fail("too many boxes");
   call.result(length);
 }
 
@@ -117,10 +112,8 @@ void obstacle(script::Call& call, Builder& builder) {
   if (!(def.position.cwiseAbs().maxCoeff() <= rules::kFarthest &&
         def.rotation.cwiseAbs().maxCoeff() <= rules::kMostAngle))
     return call.fail("expected a place within 10000 m and angles within 1e6");
-  const std::size_t made = builder.plan.obstacles.size() + builder.plan.segments.size();
-  if (made >= rules::kMaxObstaclesPerRoom) return call.fail("too many obstacles");
-  if (def.type == kStone) return placeBox(stoneLook(def), false, builder.plan);
-  builder.plan.obstacles.push_back(def);
+  if (def.type == kStone) return placeBox(builder.session, stoneLook(def), false, def.where, builder.plan);
+  placeObstacle(builder.session, std::move(def), builder.plan);
 }
 
 void box(script::Call& call, Builder& builder) {
@@ -130,7 +123,6 @@ void box(script::Call& call, Builder& builder) {
   if (!(half.minCoeff() > 0.001f && half.maxCoeff() < 5000.0f))
     return call.fail("half extents: expected 0.001 to 5000");
   if (!(center.cwiseAbs().maxCoeff() <= rules::kFarthest)) return call.fail("expected a place within 10000 m");
-  if (builder.plan.segments.size() >= rules::kMaxSegmentsPerRoom) return call.fail("too many boxes");
   LookBox seen;
   seen.center = center;
   seen.halfExtents = half;
@@ -138,7 +130,7 @@ void box(script::Call& call, Builder& builder) {
     seen.color[i] = builder.boxColor;
     seen.tile[i] = builder.boxTile;
   }
-  placeBox(seen, true, builder.plan);
+  placeBox(builder.session, seen, true, call.where(), builder.plan);
 }
 
 void fogColor(script::Call& call, Builder& builder) {
@@ -340,7 +332,7 @@ const script::Library& roomLibrary() {
 
 RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
                   std::map<std::string, std::string>& globals) {
-  Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0, 0};
+  Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0};
   script::Sandbox sandbox(roomLibrary(), seed, {}, &builder);
   const std::string path = "rooms/" + entry.type + ".lua";
   const Result<std::string> include = session.files.text("rooms/include.lua");

@@ -94,6 +94,27 @@ bool isWanted(const Session& session, const content::Obstacle& obstacle, float d
   return obstacle.difficultyMin <= difficulty && difficulty <= obstacle.difficultyMax;
 }
 
+/// What is beyond a bound is left out; said once a game. Always false.
+bool refuse(Session& session, const std::string& things, std::uint32_t most, const char* in, const std::string& where) {
+  session.reportMissing("more than " + std::to_string(most) + " " + things + " " + in, where, "the rest is left out");
+  return false;
+}
+
+/// Whether another segment, of so many boxes and other things, has a place in the room.
+bool admits(Session& session, const RoomPlan& plan, std::size_t things, const std::string& where) {
+  if (plan.segments.size() >= rules::kMaxSegmentsPerRoom)
+    return refuse(session, "segments", rules::kMaxSegmentsPerRoom, "in a room", where);
+  if (plan.boxes + things > rules::kMaxBoxesPerRoom)
+    return refuse(session, "boxes and decals", rules::kMaxBoxesPerRoom, "in a room", where);
+  return true;
+}
+
+/// Whether a box about `middle` [m] from the room's start has a place there.
+bool admitAt(Session& session, RoomPlan& plan, float middle, float halfLength, const std::string& where) {
+  return plan.crowd.add(middle - halfLength, middle + halfLength) ||
+         refuse(session, "boxes", rules::kMaxBoxesPerCell, "within 8 m", where);
+}
+
 }  // namespace
 
 LookBox stoneLook(const ObstacleDef& stone) {
@@ -113,9 +134,11 @@ LookBox stoneLook(const ObstacleDef& stone) {
   return look;
 }
 
-void placeBox(const LookBox& box, bool isSolid, RoomPlan& plan) {
+void placeBox(Session& session, const LookBox& box, bool isSolid, const std::string& where, RoomPlan& plan) {
   PlannedSegment made;
   made.start = -(box.center.z() + box.halfExtents.z());
+  if (!admits(session, plan, 1, where) || !admitAt(session, plan, -box.center.z(), box.halfExtents.z(), where)) return;
+  ++plan.boxes;
   auto look = std::make_shared<SegmentLook>();
   look->name = "box";
   look->length = 2.0f * box.halfExtents.z();
@@ -126,26 +149,50 @@ void placeBox(const LookBox& box, bool isSolid, RoomPlan& plan) {
   plan.segments.push_back(std::move(made));
 }
 
+bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan) {
+  const std::string where = def.where;
+  const bool isPlaced = plan.obstacles.size() < rules::kMaxObstaclesPerRoom;
+  if (isPlaced) plan.obstacles.push_back(std::move(def));
+  return isPlaced || refuse(session, "obstacles", rules::kMaxObstaclesPerRoom, "in a room", where);
+}
+
+namespace {
+
+void placeObstacles(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  for (const content::Obstacle& obstacle : segment.obstacles) {
+    if (!isWanted(session, obstacle, plan.settings.difficulty)) continue;
+    ObstacleDef def = defOf(obstacle, segment);
+    def.position.z() -= start;
+    if (!placeObstacle(session, std::move(def), plan)) return;
+  }
+}
+
+void placeBoxes(Session& session, const std::string& name, const content::Segment& segment, float start,
+                const std::string& where, RoomPlan& plan) {
+  const std::size_t things = segment.boxes.size() + segment.decals.size() + segment.obstacles.size();
+  if (!admits(session, plan, things, where)) return;
+  for (const content::Box& box : segment.boxes)
+    if (!box.hidden && !admitAt(session, plan, start - box.position.z(), box.halfExtents.z(), where)) return;
+  plan.boxes += static_cast<std::uint32_t>(things);
+  PlannedSegment placed;
+  placed.start = start;
+  placed.look = makeLook(name, segment);
+  demandEffects(*placed.look, segment.file, plan.effects);
+  for (const content::Box& box : segment.boxes)
+    if (!box.hidden) placed.solids.push_back({box.position, box.halfExtents});
+  plan.segments.push_back(std::move(placed));
+}
+
+}  // namespace
+
 float placeSegment(Session& session, const std::string& name, float start, const std::string& where, RoomPlan& plan) {
   const auto found = session.files.segment(name);
   session.takeFileProblems();
   if (!found) session.reportMissing("segment " + name, where, found.error().message);
   if (!found) return 0.0f;
   const std::shared_ptr<const content::Segment> segment = *found;
-  PlannedSegment placed;
-  placed.start = start;
-  placed.look = makeLook(name, *segment);
-  demandEffects(*placed.look, segment->file, plan.effects);
-  for (const content::Box& box : segment->boxes)
-    if (!box.hidden) placed.solids.push_back({box.position, box.halfExtents});
-  plan.segments.push_back(std::move(placed));
-  for (const content::Obstacle& obstacle : segment->obstacles) {
-    if (!isWanted(session, obstacle, plan.settings.difficulty)) continue;
-    if (plan.obstacles.size() >= rules::kMaxObstaclesPerRoom) break;
-    ObstacleDef def = defOf(obstacle, *segment);
-    def.position.z() -= start;
-    plan.obstacles.push_back(std::move(def));
-  }
+  placeBoxes(session, name, *segment, start, where, plan);
+  placeObstacles(session, *segment, start, plan);
   for (const content::PowerUp& powerUp : segment->powerUps)
     session.reportMissing("power-up " + powerUp.type, segment->file + ":" + std::to_string(powerUp.line),
                           "there is none");

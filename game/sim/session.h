@@ -45,6 +45,7 @@ struct Session {
   }
   /// Says of each thing once that it cannot be had, where it was asked for first.
   void reportMissing(const std::string& thing, const std::string& where, const std::string& why) {
+    if (reported.size() >= rules::kMaxProblems) return;
     if (missing.insert(thing + ": " + why).second) report(where + ": " + thing + ": " + why);
   }
   void takeFileProblems() {

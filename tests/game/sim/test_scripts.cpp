@@ -330,13 +330,6 @@ TEST(Scripts, ASegmentThatIsUsedUpGoesOnForEver) {
   EXPECT_TRUE(newTestGame(source)->problems().empty());
 }
 
-TEST(Scripts, MoreBoxesThanARoomHoldsAreRefused) {
-  std::string boxes;
-  for (int i = 0; i < 300; ++i) boxes += "<box pos=\"0 -9 -1\" size=\"1 1 1\"/>";
-  const content::MemorySource source = oneRoom(boxes, 100.0f, "for i = 0, 399 do mgSegment('test/corridor', -i) end");
-  EXPECT_TRUE(hasProblem(*newTestGame(source), "mgSegment: too many boxes"));
-}
-
 TEST(Scripts, ScriptStateComesBackFromASnapshot) {
   const content::MemorySource source = withObstacle(R"(
 local n = 0
