@@ -49,6 +49,8 @@ class Call {
   /// Takes from the instruction budget: for natives whose work grows with their arguments.
   void charge(std::int64_t instructions);
 
+  /// The global function that was called.
+  const std::string& name() const { return name_; }
   /// The script line that made this call: for messages and for "who asked".
   const std::string& file() const;
   int line() const;

@@ -47,6 +47,12 @@ struct LookDecal {
   float blend = 1.0f;  // 1: normal, 0: additive
 };
 
+/// A picture on a body, in the body's frame.
+struct BodyDecal {
+  std::uint32_t body = 0;  // index into RoomView::bodies
+  LookDecal look;
+};
+
 /// What a segment looks like: made once when it is placed, never changed.
 struct SegmentLook {
   std::string name;
@@ -102,6 +108,7 @@ struct RoomView {
   std::vector<CrumbView> crumbs;
   std::vector<RopeView> ropes;
   std::vector<RopeView> beams;  // lasers
+  std::vector<BodyDecal> bodyDecals;
 };
 
 /// Where a game stands. A level runs from its title to the checkpoint at its end, unless the balls run out before.

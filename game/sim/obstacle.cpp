@@ -62,22 +62,38 @@ std::int64_t Obstacle::start() {
   return cost;
 }
 
+void Obstacle::setDown(ScriptButton& button, bool down) {
+  button.down = down;
+  physics::World& world = room->world();
+  const physics::BodyHandle handle = bodies[button.body - 1].handle;
+  if (!world.isAlive(handle) || !world.body(handle).firstShape) return;
+  const std::uint32_t color = down ? packColor(0.25f, 0.85f, 0.60f, 1.0f) : packColor(1.0f, 0.42f, 0.16f, 1.0f);
+  world.meshes().setColor(world.shape(world.body(handle).firstShape).mesh, color);
+}
+
 std::int64_t Obstacle::tickScript(bool mayRun) {
   laser = false;
   beams.clear();
+  decals.clear();
   ++ticks;
-  std::int64_t cost = 0;
-  if (mayRun && !failed && script && script->has("tick")) {
-    scriptHashed_ = false;
-    const Result<script::Value> called = script->call("tick");
-    if (!called) {
-      room->session().reportMissing("obstacle " + def->type, def->where, called.error().message);
-      failed = true;  // its bodies stay as they are
-    }
-    cost = script->instructionsUsed();
-  }
+  const std::int64_t cost = mayRun ? callScript("tick") : 0;
   for (ScriptButton& button : buttons) button.justPressed = false;
   return cost;
+}
+
+std::int64_t Obstacle::drawScript(bool mayRun) {
+  return mayRun ? callScript("draw") : 0;
+}
+
+std::int64_t Obstacle::callScript(const char* function) {
+  if (failed || !script || !script->has(function)) return 0;
+  scriptHashed_ = false;
+  const Result<script::Value> called = script->call(function);
+  if (!called) {
+    room->session().reportMissing("obstacle " + def->type, def->where, called.error().message);
+    failed = true;  // its bodies stay as they are
+  }
+  return script->instructionsUsed();
 }
 
 bool Obstacle::restoreScript(ByteReader& in) {

@@ -13,6 +13,7 @@
 #include "engine/physics/ids.h"
 #include "engine/physics/joint.h"
 #include "engine/script/sandbox.h"
+#include "game/sim/frame_packet.h"
 #include "game/sim/material.h"
 
 namespace brittle::sim {
@@ -135,6 +136,8 @@ struct Obstacle {
   std::vector<ScriptButton> buttons;
   std::unique_ptr<script::Sandbox> script;   // while alive
   std::vector<std::pair<Vec3, Vec3>> beams;  // lasers of this tick, local frame; made anew every tick
+  std::vector<BodyDecal> decals;             // of this tick too
+  bool paints = false;                       // has asked for one before: they are demanded once
   bool muted = false;                        // while its source is loaded again by a restore
 
   /// From the obstacle's frame to its room's local frame of now.
@@ -149,8 +152,13 @@ struct Obstacle {
   /// Reads the script and calls its init(). What fails is reported, and what was made so far stays. Answers what that
   /// took, in instructions.
   std::int64_t start();
-  /// Calls its tick() if `mayRun`; what that took, in instructions.
+  /// Presses or releases a button of its own, whose colour says which: orange while it waits for a ball.
+  void setDown(ScriptButton& button, bool down);
+  /// Calls its tick() if `mayRun`, before the world's step; what that took, in instructions.
   std::int64_t tickScript(bool mayRun);
+  /// Likewise its draw(), after the step: every tick, seen or not, so that what it changes of the script's state is the
+  /// same in every run.
+  std::int64_t drawScript(bool mayRun);
   /// Loads the script again after a restore, without effect on the world; then its saved state.
   bool restoreScript(ByteReader& in);
   void saveScript(ByteWriter& out) const;
@@ -176,6 +184,7 @@ struct Obstacle {
 
  private:
   Status load();
+  std::int64_t callScript(const char* function);
   mutable std::uint64_t scriptHash_ = 0;  // of the state it had when last asked
   mutable bool scriptHashed_ = false;
 };

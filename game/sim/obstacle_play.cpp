@@ -39,10 +39,11 @@ void createButton(script::Call& call, Obstacle& obstacle) {
   body.assembly = world.body(body.handle).assembly;
   body.look = Look::Metal;
   physics::ShapeDef shape;
-  shape.drawMaterial = static_cast<std::uint16_t>(Look::Metal);
+  shape.drawMaterial = static_cast<std::uint16_t>(Look::Stone);  // dull: its colour is seen in a dark room too
   world.addConvex(body.handle, shape, geometry::makeCylinder(rules::kButtonRadius, 0.05f, rules::kCylinderSides));
   obstacle.bodies.push_back(body);
   obstacle.buttons.push_back({static_cast<std::uint32_t>(obstacle.bodies.size()), false, false});
+  obstacle.setDown(obstacle.buttons.back(), false);
   call.result(static_cast<int>(obstacle.buttons.size()));
 }
 
@@ -64,7 +65,7 @@ void isButtonDown(script::Call& call, Obstacle& obstacle) {
 void setButtonDown(script::Call& call, Obstacle& obstacle) {
   const bool down = call.boolean(2, true);
   ScriptButton* button = readButton(call, obstacle);
-  if (!call.failed()) button->down = down;
+  if (!call.failed()) obstacle.setDown(*button, down);
 }
 
 /// A beam that ends at the first thing in its way and hurts when it meets the camera.
@@ -104,6 +105,29 @@ void smoke(script::Call& call, Obstacle& obstacle) {
 
 void glow(script::Call& call, Obstacle& obstacle) {
   show(call, obstacle, EventType::Glow, Vec3::Zero());
+}
+
+/// A picture on a body for this tick, in the pen's colour. What is left of a broken body may not reach there any more:
+/// it shows none.
+void bodyDecal(script::Call& call, Obstacle& obstacle) {
+  const ScriptBody* body = readBody(call, obstacle, 1);
+  const int tile = call.integer(2);
+  const Vec2 size(call.real(3), call.real(4));
+  const Vec3 position = readVector(call, 5, rules::kFarthest, Vec3::Zero());
+  const Vec3 angles = readVector(call, 8, rules::kMostAngle, Vec3::Zero());
+  if (call.failed()) return;
+  call.charge(200);
+  if (!(size.minCoeff() >= 0.001f && size.maxCoeff() <= 500.0f)) return call.fail("size: expected 0.001 to 500");
+  if (obstacle.decals.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many decals");
+  if (!body->handle || !obstacle.room->world().isAlive(body->handle) || body->breaks > 0) return;
+  if (!obstacle.paints) obstacle.room->demand(effects::Effect::Decals, call.where());
+  obstacle.paints = true;
+  const float* color = obstacle.pen.color;
+  BodyDecal decal;
+  decal.body = body->handle.index;
+  decal.look = {
+      position, rotationXyz(angles), size, clampTo(tile, -4, 63), Vec4(color[0], color[1], color[2], color[3]), 1.0f};
+  obstacle.decals.push_back(decal);
 }
 
 void getBeat(script::Call& call, Obstacle& obstacle) {
@@ -218,9 +242,12 @@ void addPlayCalls(script::Library& library) {
   addSoundCalls(library);
   addParameterCalls(library);
   addTimeCalls(library);
-  // Only seen or heard, and not shown yet: accepted so that the levels that use them play.
-  for (const char* name : {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture", "mgBodyDecal"})
-    addCall(library, name, [](script::Call&, Obstacle&) {});
+  addCall(library, "mgBodyDecal", bodyDecal);
+  // Only seen, and not shown here: accepted so that the levels that use them play.
+  for (const char* name : {"mgRoundness", "mgShapeChamfer", "mgHideEdges", "mgTexture"})
+    addCall(library, name, [](script::Call& call, Obstacle& o) {
+      o.room->session().reportMissing(call.name(), call.where(), "accepted, but nothing here is drawn by it");
+    });
 }
 
 }  // namespace brittle::sim

@@ -49,11 +49,12 @@ void Room::tick(float distance, float speed, std::int32_t ticks) {
   shake_ = shake_ > 0.01f ? shake_ * 0.92f : 0.0f;
   buildSegments(distance);
   startObstacles(distance);
-  tickScripts();
+  runScripts(&Obstacle::tickScript);
   world_->step(rules::kTickSeconds);
   readEvents();
   removeBehind();
   thinOut();
+  runScripts(&Obstacle::drawScript);
   ++ticks_;
 }
 

@@ -101,7 +101,7 @@ class Room {
   void buildSegments(float distance);
   void buildSegment(std::size_t index);
   void startObstacles(float distance);
-  void tickScripts();
+  void runScripts(std::int64_t (Obstacle::*run)(bool));
   std::uint32_t scriptShapes() const;
   std::vector<std::uint32_t> countContacts() const;
   void thinOut();

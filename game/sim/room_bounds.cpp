@@ -7,7 +7,7 @@
 namespace brittle::sim {
 
 /// Once they have used up the tick's time the scripts of the others do nothing in it.
-void Room::tickScripts() {
+void Room::runScripts(std::int64_t (Obstacle::*run)(bool)) {
   std::int64_t left = rules::kRoomInstructions;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
     if (obstacle->stage != Stage::Alive) continue;
@@ -15,7 +15,7 @@ void Room::tickScripts() {
       session_.reportMissing("the scripts of a room", obstacle->def->where,
                              "more than " + std::to_string(rules::kRoomInstructions) +
                                  " instructions in a tick: the rest do nothing in it");
-    left -= obstacle->tickScript(left > 0);
+    left -= (obstacle.get()->*run)(left > 0);
   }
 }
 
@@ -83,6 +83,7 @@ void Room::retire(Obstacle& obstacle) {
   obstacle.stage = Stage::Gone;
   obstacle.script.reset();
   obstacle.beams.clear();
+  obstacle.decals.clear();
 }
 
 }  // namespace brittle::sim

@@ -72,7 +72,7 @@ void Room::pressButton(physics::BodyHandle handle) {
   for (ScriptButton& button : obstacle->buttons) {
     if (obstacle->bodies[button.body - 1].handle != handle) continue;
     button.justPressed = !button.down;
-    button.down = true;
+    obstacle->setDown(button, true);
   }
 }
 

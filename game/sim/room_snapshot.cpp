@@ -108,6 +108,7 @@ void Room::copySegments(RoomView& view) const {
 void Room::copyRopes(RoomView& view) const {
   view.ropes.clear();
   view.beams.clear();
+  view.bodyDecals.clear();
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
     if (obstacle->stage != Stage::Alive) continue;
     for (const physics::JointHandle handle : obstacle->joints) {
@@ -121,6 +122,7 @@ void Room::copyRopes(RoomView& view) const {
     }
     for (const auto& [from, to] : obstacle->beams)
       view.beams.push_back({Vec3(from + frameOffset_), Vec3(to + frameOffset_)});
+    view.bodyDecals.insert(view.bodyDecals.end(), obstacle->decals.begin(), obstacle->decals.end());
   }
 }
 

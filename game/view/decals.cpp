@@ -14,12 +14,24 @@ constexpr float kLift = 0.004f;               // of a decal above its surface [m
 constexpr int kFirstCrack = 40, kCracks = 8;  // tiles
 const render::Rgb kMark(0.10f, 0.12f, 0.15f);
 
+/// `frame`: of what the decal lies on.
+render::Decal decalOf(const sim::LookDecal& decal, const Transform& frame) {
+  const Quat rotation = frame.rotation * decal.rotation;
+  const Vec3 lift = rotation * Vec3(0.0f, 0.0f, kLift);
+  const std::uint32_t color = render::packRgba(decal.color.head<3>(), decal.color.w());
+  return {frame.toWorld(decal.position) + lift, rotation, decal.size, decal.tile, color,
+          clampTo(decal.blend, 0.0f, 1.0f)};
+}
+
 void addOfLevel(const sim::PlacedSegment& segment, render::Frame& frame) {
-  for (const sim::LookDecal& decal : segment.look->decals) {
-    const Vec3 lift = decal.rotation * Vec3(0.0f, 0.0f, kLift);
-    const std::uint32_t color = render::packRgba(decal.color.head<3>(), decal.color.w());
-    frame.decals.push_back({segment.origin + decal.position + lift, decal.rotation, decal.size, decal.tile, color,
-                            clampTo(decal.blend, 0.0f, 1.0f)});
+  for (const sim::LookDecal& decal : segment.look->decals)
+    frame.decals.push_back(decalOf(decal, {segment.origin, Quat::Identity()}));
+}
+
+void addOfBodies(const sim::RoomView& room, render::Frame& frame) {
+  for (const sim::BodyDecal& decal : room.bodyDecals) {
+    if (decal.body >= room.bodies.size() || room.bodies[decal.body].generation == 0) continue;
+    frame.decals.push_back(decalOf(decal.look, room.bodies[decal.body].pose));
   }
 }
 
@@ -66,8 +78,10 @@ bool holds(const sim::PlacedSegment& segment, const Vec3& point) {
 }  // namespace
 
 void addDecals(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
-  for (const sim::RoomView& room : packet.rooms)
+  for (const sim::RoomView& room : packet.rooms) {
     for (const sim::PlacedSegment& segment : room.segments) addOfLevel(segment, frame);
+    addOfBodies(room, frame);
+  }
   for (const Remembered& r : memory.events()) {
     const bool byBall = r.event.type == sim::EventType::Hit && r.event.value == 1;
     if (!byBall || r.event.look != sim::Look::Static || r.event.speed < kMarkSpeed) continue;

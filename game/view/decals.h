@@ -1,4 +1,5 @@
-// view/decals.h - pictures on the room's surfaces: those the level has, and the marks of balls that hit it. Pure.
+// view/decals.h - pictures on surfaces: those the level has, those that scripts paint on their bodies, and the marks of
+// balls that hit the room. Pure.
 #pragma once
 
 #include "game/view/memory.h"

@@ -43,6 +43,26 @@ TEST(Decals, OfALevelLieWhereItSays) {
   EXPECT_EQ(seen[0].cover, 0.0f);
 }
 
+TEST(Decals, OfABodyMovesWithIt) {
+  sim::FramePacket packet = packetAt(10);
+  const Quat turned = rotationAbout(Vec3::UnitY(), 1.5707963f);
+  packet.rooms[0].bodies = {{}, {{Vec3(1.0f, 2.0f, -3.0f), turned}, 4}};
+  sim::BodyDecal decal;
+  decal.body = 1;
+  decal.look.position = Vec3(0.0f, 0.0f, 0.5f);
+  decal.look.tile = 7;
+  packet.rooms[0].bodyDecals = {decal};
+  const std::vector<render::Decal> seen = decalsOf(packet, {}, 10.0);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_LT((seen[0].position - Vec3(1.5f, 2.0f, -3.0f)).norm(), 0.01f);
+  EXPECT_GT(seen[0].position.x(), 1.5f) << "a little above the face it lies on";
+  EXPECT_LT((seen[0].rotation * Vec3::UnitZ() - Vec3::UnitX()).norm(), 1e-5f);
+  packet.rooms[0].bodies[1].generation = 0;
+  EXPECT_TRUE(decalsOf(packet, {}, 10.0).empty()) << "its body is gone";
+  packet.rooms[0].bodyDecals[0].body = 9;
+  EXPECT_TRUE(decalsOf(packet, {}, 10.0).empty());
+}
+
 TEST(Decals, FastBallsMarkTheFaceTheyHit) {
   const sim::FramePacket packet = packetAt(100);
   const Memory memory = hitAt(packet, Vec3(0.5f, 0.01f, -3.0f), 15.0f);
