@@ -15,7 +15,7 @@ struct FrameTimes {
   double longest = 0.0;   // the longest frame
 };
 
-inline constexpr int kAveragedFrames = 30;  // half a second at 60 a second: a number can just be read
+inline constexpr double kAveragedTime = 0.5;  // a number that changes more often can hardly be read [s]
 
 /// Told when each part of a frame ends.
 class FrameTimer {
@@ -28,7 +28,7 @@ class FrameTimer {
   void drawn(double now) { sums_.draw += since(now); }
   void swapped(double now) { sums_.swap += since(now); }
 
-  /// Of the last kAveragedFrames that are complete; zeroes before there are any.
+  /// Of the frames of the last kAveragedTime that is complete, one frame at least; zeroes before it is.
   const FrameTimes& times() const { return times_; }
 
  private:
@@ -40,8 +40,9 @@ class FrameTimer {
   void count(double frame) {
     sums_.frame += frame;
     sums_.longest = std::max(sums_.longest, frame);
-    if (++frames_ < kAveragedFrames) return;
-    for (double* sum : {&sums_.frame, &sums_.simulate, &sums_.draw, &sums_.swap}) *sum /= kAveragedFrames;
+    ++frames_;
+    if (sums_.frame < kAveragedTime) return;
+    for (double* sum : {&sums_.frame, &sums_.simulate, &sums_.draw, &sums_.swap}) *sum /= frames_;
     times_ = sums_;
     sums_ = {};
     frames_ = 0;

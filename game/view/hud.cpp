@@ -115,14 +115,14 @@ void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, f
       minOf(memory.ageOf(sim::EventType::CrystalMissed, tick), memory.ageOf(sim::EventType::Crash, tick)) / kLostTicks;
   const float pulse = clampTo(1.0f - memory.ballsAge(tick) / kPulseTicks, 0.0f, 1.0f);
   addPain(hud, frame);
-  if (hud.phase != sim::Phase::Title) {
+  if (hud.phase == sim::Phase::Playing) {  // the end has its own signs for all of this
     if (hud.countsBalls) {
       addStreak(hud, clampTo(lost, 0.0f, 1.0f), frame);
       addBalls(hud, pulse * pulse, frame);
     }
     addProgress(hud, frame);
-    addFlights(packet, memory, tick, aspect, frame);
   }
+  if (hud.phase != sim::Phase::Title) addFlights(packet, memory, tick, aspect, frame);
   if (paused)
     addPause(frame);
   else

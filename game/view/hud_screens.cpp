@@ -1,6 +1,7 @@
 // Signs in the middle of the picture: the title, hints, the last balls counted down, the room entered, how it ended.
 #include <cmath>
 
+#include "engine/render/text.h"
 #include "game/view/hud_parts.h"
 
 namespace brittle::view::hud {
@@ -84,23 +85,27 @@ void addRoom(const sim::Hud& hud, float age, render::Frame& frame) {
   addSign(middle(0.325f), 0.034f, kInk, alpha, number("ROOM %d", hud.room + 1), frame);
 }
 
+/// A ball and how many there are, as one centred line.
+void addCount(float down, int balls, float alpha, render::Frame& frame) {
+  constexpr float height = 0.042f, radius = 0.021f, gap = 0.020f;
+  const std::string text = number("%d", balls);
+  const float left = -0.5f * (2.0f * radius + gap + height * render::textWidth(text));
+  addBall({Vec2(0.5f, down), Vec2(left + radius, 0.0f)}, radius, alpha, frame);
+  const render::HudPoint at{Vec2(0.5f, down), Vec2(left + 2.0f * radius + gap, 0.0f)};
+  frame.texts.push_back({at, height, render::HudAlign::Left, render::packRgba(kInk, alpha), text});
+}
+
+/// How far it went, and the balls with which it goes on.
 void addEnd(const sim::Hud& hud, float age, double tick, render::Frame& frame) {
   const bool isWon = hud.phase == sim::Phase::Checkpoint;
   const float in = softStep(0.0f, kEndTicks, age);
   frame.tint = isWon ? Vec4(0.03f, 0.10f, 0.16f, 0.42f * in) : Vec4(0.05f, 0.04f, 0.07f, 0.60f * in);
-  addSign(middle(0.40f), 0.078f, kInk, in, isWon ? "CHECKPOINT" : "OUT OF BALLS", frame);
-  frame.quads.push_back({middle(0.475f), Vec2(0.24f * in, 0.0025f), render::packRgba(kInk, 0.7f * in)});
-  addSign(middle(0.525f), 0.040f, kWarm, in, number("%d m", static_cast<int>(hud.distance)), frame);
-  if (hud.checkpointBalls > 0) {
-    addBall({Vec2(0.5f, 0.59f), Vec2(-0.035f, 0.0f)}, 0.014f, in, frame);
-    frame.texts.push_back({{Vec2(0.5f, 0.59f), Vec2(-0.012f, 0.0f)},
-                           0.028f,
-                           render::HudAlign::Left,
-                           render::packRgba(kInk, in),
-                           number("%d", hud.checkpointBalls)});
-  }
+  addSign(middle(0.38f), 0.078f, kInk, in, isWon ? "CHECKPOINT" : "OUT OF BALLS", frame);
+  frame.quads.push_back({middle(0.46f), Vec2(0.24f * in, 0.0025f), render::packRgba(kInk, 0.7f * in)});
+  addSign(middle(0.525f), 0.042f, kWarm, in, number("%d m", static_cast<int>(hud.distance)), frame);
+  if (hud.checkpointBalls > 0) addCount(0.61f, hud.checkpointBalls, in, frame);
   const float later = softStep(kEndTicks, 1.5f * kEndTicks, age);
-  addSign(middle(0.68f), 0.027f, kInk, later * pulseOf(tick), isWon ? "TAP TO GO ON" : "TAP TO TRY AGAIN", frame);
+  addSign(middle(0.74f), 0.027f, kInk, later * pulseOf(tick), isWon ? "TAP TO GO ON" : "TAP TO TRY AGAIN", frame);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace brittle::view {
 namespace {
 
-// Layout, chosen by eye. [picture heights]
-constexpr float kLeft = 0.03f, kTop = 0.03f, kLetter = 0.016f, kLine = 0.03f, kNumberRight = 0.19f;
+// Layout, chosen by eye: room for numbers of four digits. [picture heights]
+constexpr float kLeft = 0.03f, kTop = 0.04f, kLetter = 0.016f, kLine = 0.03f, kNumberRight = 0.29f, kMargin = 0.016f;
 
 void addCell(float right, int line, render::HudAlign align, std::string text, render::Frame& frame) {
   const render::HudPoint at{Vec2::Zero(), Vec2(right, kTop + kLine * static_cast<float>(line))};
@@ -18,6 +18,10 @@ void addCell(float right, int line, render::HudAlign align, std::string text, re
 }  // namespace
 
 void addTimings(const Timings& timings, render::Frame& frame) {
+  constexpr int lines = 5;
+  const Vec2 size(kNumberRight + 2.0f * kMargin, kLine * (lines - 1) + kLetter + 2.0f * kMargin);
+  const Vec2 center(kLeft + 0.5f * kNumberRight, kTop + 0.5f * kLine * (lines - 1));
+  frame.quads.push_back({{Vec2::Zero(), center}, size, render::packRgba(render::Rgb::Zero(), 0.45f), kMargin});
   int line = 0;
   for (const auto& [name, value] :
        {std::pair("frame", timings.frame), std::pair("longest", timings.longest),

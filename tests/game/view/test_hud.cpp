@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/text.h"
 #include "packets.h"
 
 namespace brittle::view {
@@ -86,6 +90,21 @@ TEST(Hud, ShowsTheFrameTimeAndItsParts) {
                                             "3.50 ms", "swap", "11.90 ms"));
   EXPECT_FLOAT_EQ(frame.texts[0].at.offset.y(), frame.texts[1].at.offset.y()) << "a name and its number share a line";
   EXPECT_LT(frame.texts[1].at.offset.y(), frame.texts[2].at.offset.y());
+}
+
+TEST(Hud, LongTimesStandApartFromTheirNames) {
+  render::Frame frame;
+  addTimings({.frame = 1234.567f, .simulate = 1234.567f, .draw = 0.0f, .swap = 0.0f, .longest = 9876.543f}, frame);
+  ASSERT_EQ(frame.quads.size(), 1u);
+  const render::HudQuad& back = frame.quads[0];
+  for (std::size_t i = 0; i < frame.texts.size(); i += 2) {
+    const render::HudText &name = frame.texts[i], &time = frame.texts[i + 1];
+    const float end = name.at.offset.x() + name.height * render::textWidth(name.text);
+    const float start = time.at.offset.x() - time.height * render::textWidth(time.text);
+    EXPECT_GT(start - end, 0.5f * name.height) << name.text;
+    EXPECT_LT(time.at.offset.x(), back.at.offset.x() + 0.5f * back.size.x());
+    EXPECT_LT(std::fabs(time.at.offset.y() - back.at.offset.y()) + name.height, 0.5f * back.size.y() + 0.01f);
+  }
 }
 
 TEST(Hud, HintsUntilTheFirstThrow) {
@@ -202,13 +221,28 @@ TEST(Hud, NamesTheRoomThatIsEntered) {
 TEST(Hud, SaysHowItEnded) {
   sim::FramePacket packet = playingAt(1000);
   packet.hud.phase = sim::Phase::GameOver;
-  EXPECT_THAT(textsOf(packet), Contains("OUT OF BALLS"));
-  EXPECT_THAT(textsOf(packet), Contains("TAP TO TRY AGAIN"));
+  EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("OUT OF BALLS", "0 m", "TAP TO TRY AGAIN"));
   packet.hud.phase = sim::Phase::Checkpoint;
-  packet.hud.checkpointBalls = 31;
-  EXPECT_THAT(textsOf(packet), Contains("CHECKPOINT"));
-  EXPECT_THAT(textsOf(packet), Contains("31"));
+  packet.hud.balls = packet.hud.checkpointBalls = 31;
+  EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("CHECKPOINT", "0 m", "31", "TAP TO GO ON"))
+      << "nothing is said twice";
   EXPECT_GT(hudOf(packet).tint.w(), 0.2f);
+}
+
+TEST(Hud, TheBallsOfAnEndStandInTheMiddleAndApart) {
+  sim::FramePacket packet = playingAt(1000);
+  packet.hud.phase = sim::Phase::Checkpoint;
+  for (const int balls : {4, 45, 120}) {
+    packet.hud.checkpointBalls = balls;
+    const render::Frame frame = hudOf(packet);
+    const auto text = std::find_if(frame.texts.begin(), frame.texts.end(),
+                                   [&](const render::HudText& t) { return t.text == std::to_string(balls); });
+    ASSERT_NE(text, frame.texts.end());
+    const render::HudArc& ball = frame.arcs[1];  // below it lies its shade
+    const float left = ball.at.offset.x() - ball.outer, gap = text->at.offset.x() - ball.at.offset.x() - ball.outer;
+    EXPECT_GT(gap, 0.3f * text->height);
+    EXPECT_NEAR(-left, text->at.offset.x() + text->height * render::textWidth(text->text), 1e-4f);
+  }
 }
 
 TEST(Hud, APauseSaysSoOverADarkenedPicture) {
