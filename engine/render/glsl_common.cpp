@@ -98,10 +98,13 @@ float schlick(float cosine, float base) {
 // Towards the eye, unit.
 vec3 toEye(vec3 point) { return normalize(frame.eye.xyz - point); }
 
-// The interpolated normal where the mesh has one (w > 0), else the face's from derivatives; turned to the eye.
+// The interpolated normal where the mesh has one (w > 0), else the face's from derivatives; turned to the eye. A face that lies more than
+// 60 degrees off its interpolated normal is the end of something round, whose corners have the normals of its side: flat.
 vec3 surfaceNormal(vec4 normal, vec3 point) {
   vec3 relative = point - frame.eye.xyz;
-  vec3 n = normal.w > 0.5 ? normalize(normal.xyz) : normalize(cross(dFdx(relative), dFdy(relative)));
+  vec3 n = normalize(cross(dFdx(relative), dFdy(relative)));
+  vec3 smoothed = normalize(normal.xyz + vec3(1e-7));
+  if (normal.w > 0.5 && abs(dot(smoothed, n)) > 0.5) n = smoothed;
   return dot(n, relative) > 0.0 ? -n : n;
 }
 

@@ -113,7 +113,10 @@ void main() {
   vec3 pale = mix(tint, vec3(1.0), 0.45) * (0.35 + 0.65 * frame.high.rgb);
   float gathered = (0.30 + 0.40 * abs(n.x) + 0.40 * max(n.y, 0.0)) * (0.25 + 0.75 * grazing);
   float rim = (1.0 - facing) * (1.0 - facing);
-  vec3 body = tint * (frame.toLight.w * (1.0 - finish.y) * 0.9 + 0.16 * rim) * (0.75 + 0.25 * n.y);
+  // Coloured glass catches the room's light in its depth: it is lit by it, not only darker than what is behind.
+  float colored = 1.0 - min(tint.r, min(tint.g, tint.b)) / max(max(tint.r, max(tint.g, tint.b)), 1e-3);
+  float lit = frame.toLight.w * (1.0 - finish.y) * 0.9 + 0.16 * rim + 0.45 * colored * colored * frame.high.g;
+  vec3 body = tint * lit * (0.75 + 0.25 * n.y);
   vec3 color = mirror + mix(body, pale * gathered, cut);
   through *= 1.0 - 0.55 * grazing;
 

@@ -14,6 +14,7 @@ constexpr float kTick = 1.0f / 60.0f;                     // [s]
 constexpr float kFlashTicks = 8.0f, kSparkTicks = 46.0f;  // lives
 constexpr float kSplinterTicks = 30.0f, kPuffTicks = 70.0f;
 constexpr float kGlitterGravity = 5.0f, kGravity = 9.0f;  // glitter falls slower than splinters [m/s2]
+constexpr float kHiddenNear = 0.5f, kShownFrom = 2.5f;    // distances from the eye, chosen by eye [m]
 constexpr float kHitSpeed = 7.0f;                         // slower hits raise no dust [m/s]
 
 /// What a kind of thing throws off when it breaks, for a size of half a metre.
@@ -47,8 +48,9 @@ class Emitter {
   void flash(const Rgb& color, float radius) {
     if (age_ >= kFlashTicks || radius <= 0.0f) return;
     const float left = 1.0f - age_ / kFlashTicks;
-    frame_.glows.push_back({point_, radius * (1.3f - 0.3f * left), packRgba(color, 0.5f * left * left)});
-    frame_.glows.push_back({point_, 1.6f * radius * left, packRgba(color, 0.8f * left), 0.0f, 1.0f});
+    frame_.glows.push_back(
+        {point_, radius * (1.3f - 0.3f * left), packRgba(color, 0.5f * left * left * shown(point_))});
+    frame_.glows.push_back({point_, 1.6f * radius * left, packRgba(color, 0.8f * left * shown(point_)), 0.0f, 1.0f});
   }
 
   /// Points of light that twinkle as they fall; the first `stars` of them have rays.
@@ -61,8 +63,8 @@ class Emitter {
       const float light = left * maxOf(0.25f + 0.75f * twinkle, 0.0f);
       const bool isStar = i < stars;
       const float radius = noise_(n + 6, 0.018f, 0.045f) * (isStar ? 4.0f : 1.0f);
-      frame_.glows.push_back(
-          {flight(n, spread, kGlitterGravity, age_), radius, packRgba(color, light), 0.0f, isStar ? 1.0f : 0.0f});
+      const Vec3 at = flight(n, spread, kGlitterGravity, age_);
+      frame_.glows.push_back({at, radius, packRgba(color, light * shown(at)), 0.0f, isStar ? 1.0f : 0.0f});
     }
   }
 
@@ -74,7 +76,7 @@ class Emitter {
       const auto n = 512 + static_cast<std::uint32_t>(i) * 8;
       const Vec3 to = flight(n, spread, kGravity, age_),
                  from = flight(n, spread, kGravity, age_ - noise_(n + 5, 1.0f, 2.5f));
-      frame_.beams.push_back({from, to, noise_(n + 6, 0.004f, 0.009f), packRgba(color, 0.55f * left)});
+      frame_.beams.push_back({from, to, noise_(n + 6, 0.004f, 0.009f), packRgba(color, 0.55f * left * shown(to))});
     }
   }
 
@@ -88,11 +90,16 @@ class Emitter {
       const Vec3 at =
           point_ + drift * (size * (0.4f + 0.9f * std::sqrt(t))) + direction_ * (size * noise_(n + 3) * std::sqrt(t));
       const float radius = size * noise_(n + 4, 0.45f, 0.8f) * (0.35f + 0.65f * std::sqrt(t));
-      frame_.glows.push_back({at, radius, packRgba(color, strength * (1.0f - t) * (1.0f - t)), 0.8f});
+      frame_.glows.push_back({at, radius, packRgba(color, strength * (1.0f - t) * (1.0f - t) * shown(at)), 0.8f});
     }
   }
 
  private:
+  /// What is right before the eye would cover the whole picture: it fades as it comes near.
+  float shown(const Vec3& at) const {
+    return clampTo(((at - frame_.camera.position).norm() - kHiddenNear) / (kShownFrom - kHiddenNear), 0.0f, 1.0f);
+  }
+
   /// Where the particle of index `n` is `age` ticks after it left.
   Vec3 flight(std::uint32_t n, float spread, float gravity, float age) const {
     const float t = maxOf(age, 0.0f) * kTick;
