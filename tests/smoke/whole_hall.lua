@@ -31,7 +31,7 @@ throw{tick=1390, x=0.365, y=0.004}
 throw{tick=1412, x=-0.176, y=0.013}
 throw{tick=1421, x=0.000, y=-0.016}
 throw{tick=1430, x=0.216, y=0.006}
-throw{tick=1470, x=0.000, y=-0.012}
+throw{tick=1468, x=-0.050, y=0.200}   -- the pane that swings back
 throw{tick=1500, x=0.000, y=-0.012}
 throw{tick=1530, x=0.000, y=-0.012}
 run(1000)

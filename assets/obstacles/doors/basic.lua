@@ -1,11 +1,13 @@
 -- Two leaves that slide apart when the camera comes near; with buttons they wait until every button has been hit.
--- width, height: of the opening; distance: at which it opens by itself; buttons: 0, 1 or 2.
+-- width, height: of the opening; distance: at which it opens by itself; buttons: 0, 1 or 2; emblem: 1 to 4, painted on each leaf
+-- (default: none).
 
 function init()
 	w = mgGetFloat("width", 2) / 2
-	local h = mgGetFloat("height", 2) / 2
+	h = mgGetFloat("height", 2) / 2
 	distance = mgGetFloat("distance", 5)
 	count = mgGetInt("buttons", 0)
+	emblem = mgGetInt("emblem", 0)
 	open = false
 
 	mgMaterial("door")
@@ -41,5 +43,14 @@ function tick()
 	if open then
 		mgMove(left, -w * 1.48, 0, 0, 10, 3)
 		mgMove(right, w * 1.48, 0, 0, 10, 3)
+	end
+end
+
+function draw()
+	if emblem > 0 then
+		local size = math.min(w / 2, h) * 0.55
+		mgColor(0.95, 0.97, 1, 0.85)
+		mgBodyDecal(left, -emblem, size, size, 0, 0, 0.06)
+		mgBodyDecal(right, -emblem, size, size, 0, 0, 0.06)
 	end
 end
