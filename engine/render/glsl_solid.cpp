@@ -97,7 +97,7 @@ void main() {
   vec3 n = surfaceNormal(vNormal, vPoint);
   vec3 v = toEye(vPoint);
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  float fresnel = schlick(facing, 0.05);
+  float fresnel = schlick(facing, 0.07);
   vec3 tint = surface.rgb * decode(vColor.rgb);
   vec3 r = reflect(-v, n);
   float cut = bend.y;
@@ -107,7 +107,7 @@ void main() {
   float sharp = pow(max(dot(r, frame.toLight.xyz), 0.0), mix(30.0, 420.0, finish.x));
   float glint = smoothstep(0.35, 0.95, sin(11.0 * r.x + 6.0 * r.y));  // window light, in slanted bands
   vec3 mirror = environment(vPoint, r, 0.15, 4) * fresnel;
-  mirror += frame.high.rgb * (glint * (0.03 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
+  mirror += frame.high.rgb * (glint * (0.08 + 0.6 * fresnel) * finish.x) + frame.lightColor.rgb * (sharp * finish.x * 1.5);
   // A broken face gathers the light inside the glass: pale where one looks along it, clear where one looks through it.
   float grazing = cut * (1.0 - facing * facing);
   vec3 pale = mix(tint, vec3(1.0), 0.45) * (0.35 + 0.65 * frame.high.rgb);
