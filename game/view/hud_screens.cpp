@@ -103,7 +103,7 @@ void addEnd(const sim::Hud& hud, float age, double tick, render::Frame& frame) {
   addSign(middle(0.38f), 0.078f, kInk, in, isWon ? "CHECKPOINT" : "OUT OF BALLS", frame);
   frame.quads.push_back({middle(0.46f), Vec2(0.24f * in, 0.0025f), render::packRgba(kInk, 0.7f * in)});
   addSign(middle(0.525f), 0.042f, kWarm, in, number("%d m", static_cast<int>(hud.distance)), frame);
-  if (hud.checkpointBalls > 0) addCount(0.61f, hud.checkpointBalls, in, frame);
+  if (hud.countsBalls && hud.checkpointBalls > 0) addCount(0.61f, hud.checkpointBalls, in, frame);
   const float later = softStep(kEndTicks, 1.5f * kEndTicks, age);
   addSign(middle(0.74f), 0.027f, kInk, later * pulseOf(tick), isWon ? "TAP TO GO ON" : "TAP TO TRY AGAIN", frame);
 }

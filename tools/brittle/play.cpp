@@ -76,6 +76,7 @@ class Player : public runtime::Client {
            (isAtEnd && !input.throws.empty());
   }
   void keepCheckpoint() {
+    if (!game().hud().countsBalls) return;  // there is nothing to keep
     for (const sim::Event& event : game().events())
       if (event.type == sim::EventType::Checkpoint)
         progress_.pass(game().def().level, game().checkpoint().room, game().checkpoint().balls);

@@ -227,6 +227,8 @@ TEST(Hud, SaysHowItEnded) {
   EXPECT_THAT(textsOf(packet), ::testing::ElementsAre("CHECKPOINT", "0 m", "31", "TAP TO GO ON"))
       << "nothing is said twice";
   EXPECT_GT(hudOf(packet).tint.w(), 0.2f);
+  packet.hud.countsBalls = false;
+  EXPECT_THAT(textsOf(packet), Not(Contains("31"))) << "balls that are free are not counted";
 }
 
 TEST(Hud, TheBallsOfAnEndStandInTheMiddleAndApart) {
