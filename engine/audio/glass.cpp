@@ -81,6 +81,11 @@ Samples glassBreak(float size, Random& random) {
     const float later = exponential(-at / (1.6f * mean));
     addShard(samples, at, side, 0.6f * strength * strength * later, true, random);
   }
+  // What is left of a large pane holds pieces as wide as a hand, which ring near 700 Hz as they come down.
+  for (int i = 0; i < 2 && size > 0.5f; ++i) {
+    const float at = random.nextFloat(0.01f, 0.035f);
+    addShard(samples, at, 0.19f * size, 0.16f, true, random);
+  }
   return samples;
 }
 

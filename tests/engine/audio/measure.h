@@ -2,6 +2,7 @@
 // anything relies on them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -79,6 +80,29 @@ inline double centroidOf(std::span<const float> samples) {
     moment += power[k] * static_cast<double>(k) * kSampleRate / 4096.0;
   }
   return sum > 0.0 ? moment / sum : 0.0;
+}
+
+/// The share of the energy that lies between two frequencies. [0, 1]
+inline double shareBetween(std::span<const float> samples, double low, double high) {
+  const std::vector<double> power = spectrumOf(samples);
+  double sum = 0.0, inside = 0.0;
+  for (std::size_t k = 0; k < power.size(); ++k) {
+    const double frequency = static_cast<double>(k) * kSampleRate / 4096.0;
+    sum += power[k];
+    if (frequency >= low && frequency < high) inside += power[k];
+  }
+  return sum > 0.0 ? inside / sum : 0.0;
+}
+
+/// The strongest partial between two frequencies, as power of its bin.
+inline double peakBetween(std::span<const float> samples, double low, double high) {
+  const std::vector<double> power = spectrumOf(samples);
+  double peak = 0.0;
+  for (std::size_t k = 0; k < power.size(); ++k) {
+    const double frequency = static_cast<double>(k) * kSampleRate / 4096.0;
+    if (frequency >= low && frequency < high) peak = std::max(peak, power[k]);
+  }
+  return peak;
 }
 
 /// Energy at one frequency over the whole of `samples` (Goertzel).

@@ -31,6 +31,15 @@ TEST(Measure, CentroidOfASineAndOfWhiteNoise) {
   EXPECT_NEAR(centroidOf(noise), 12000.0, 600.0);
 }
 
+TEST(Measure, SharesAndPeaksOfTwoSines) {
+  Samples both = sine(700.0, 0.1);
+  const Samples high = sine(6000.0, 0.1);
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = 0.1f * both[i] + high[i];
+  EXPECT_NEAR(shareBetween(both, 500.0, 900.0), 0.01 / 1.01, 1e-3);
+  EXPECT_NEAR(shareBetween(both, 5000.0, 7000.0), 1.0 / 1.01, 1e-3);
+  EXPECT_NEAR(decibels(std::sqrt(peakBetween(both, 500.0, 900.0) / peakBetween(both, 0.0, 24000.0))), -20.0, 1.5);
+}
+
 TEST(Measure, PitchAndDecay) {
   EXPECT_NEAR(centsOff(sine(440.0 * std::exp2(7.0 / 1200.0), 1.0), 440.0), 7.0, 0.26);
   EXPECT_NEAR(decayTimeOf(sine(800.0, 3.0, 0.7)), 0.7, 0.01);
