@@ -113,6 +113,26 @@ TEST(Particles, DependOnWhatBreaks) {
   EXPECT_FALSE(of(sim::Look::Wood).beams.empty());  // splinters
 }
 
+TEST(Particles, FadeBeforeTheEye) {
+  const auto lightAt = [](float ahead) {
+    sim::FramePacket packet = packetAt(40);
+    packet.events.push_back(eventOf(sim::EventType::Break, Vec3(0.0f, 1.0f, -ahead)));
+    Memory memory;
+    memory.tick(packet);
+    render::Frame frame;
+    frame.camera.position = Vec3(0.0f, 1.0f, 0.0f);
+    addParticles(packet, memory, 40.0, frame);
+    std::uint32_t light = 0;
+    for (const render::Glow& glow : frame.glows) light += glow.color >> 24;
+    for (const render::Beam& beam : frame.beams) light += beam.color >> 24;
+    return light;
+  };
+  EXPECT_EQ(lightAt(0.2f), 0u);
+  EXPECT_LT(lightAt(1.2f), lightAt(4.0f) / 2);
+  EXPECT_GT(lightAt(1.2f), 0u);
+  EXPECT_EQ(lightAt(4.0f), lightAt(9.0f));
+}
+
 TEST(Particles, OfABreakAreGoneWellBeforeItIsForgotten) {
   sim::FramePacket packet = packetAt(40);
   packet.events.push_back(eventOf(sim::EventType::Break, Vec3(0.0f, 1.0f, -3.0f)));

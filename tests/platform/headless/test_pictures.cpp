@@ -1,6 +1,8 @@
 // Pictures on a software GL, by statistics and against one small stored picture.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/geometry/make.h"
 #include "engine/render/gl.h"
 #include "gallery.h"
@@ -138,6 +140,38 @@ TEST(Pictures, ShowTintedGlassInItsColour) {
   const Vec3 through = pixel(Studio(kSmall).draw(frame), 165, 95);
   EXPECT_GT(through.x(), 90.0f);
   EXPECT_LT(through.y(), 0.75f * through.x());
+}
+
+TEST(Pictures, ShowColouredGlassLitByTheRoom) {
+  // Both let as much red through; only the one that takes out the rest shines with what it catches.
+  geometry::MeshPool coloured, clear;
+  Frame red = clearAir(), white = clearAir();
+  addPane(red, coloured, -3.0f, Rgb(1.0f, 0.3f, 0.3f));
+  addPane(white, clear, -3.0f, Rgb(1.0f, 1.0f, 1.0f));
+  Studio studio(kSmall);
+  white.groups[0].poolId = 1;
+  EXPECT_GT(pixel(studio.draw(red), 165, 95).x(), pixel(studio.draw(white), 165, 95).x() + 3.0f);
+}
+
+TEST(Pictures, ShowTheEndsOfCylindersFlat) {
+  // Seen along its axis: no part of the disc may be brighter than another by more than its mirror image explains.
+  geometry::MeshPool pool;
+  Frame frame = clearAir();
+  geometry::Convex disc = geometry::makeCylinder(1.0f, 0.05f, 12);
+  MeshGroup& group = frame.groups[0];
+  group.pool = &pool;
+  group.bodies.push_back({Vec3(0.0f, 0.0f, -3.0f), rotationAbout(Vec3::UnitX(), 0.5f * kPi)});
+  group.meshes.push_back({pool.add(disc, 0, kMatte), 0, kMatte, kWhite});
+  const Image picture = Studio(kSmall).draw(frame);
+  float least = 255.0f, most = 0.0f;
+  for (int i = 0; i < 16; ++i) {
+    const float angle = kPi * static_cast<float>(i) / 8.0f;
+    const auto at = [](float way) { return static_cast<int>(way); };
+    const float light = brightness(picture, 160 + at(60.0f * std::cos(angle)), 90 + at(60.0f * std::sin(angle)));
+    least = minOf(least, light);
+    most = maxOf(most, light);
+  }
+  EXPECT_LT(most - least, 12.0f);
 }
 
 TEST(Pictures, ShowGlassBehindGlass) {
