@@ -129,6 +129,11 @@ void DynamicTree::refit(std::uint32_t index) {
   node.height = 1 + maxOf(a.height, b.height);
 }
 
+bool DynamicTree::isBalanced(std::uint32_t index) const {
+  const std::int32_t a = nodes_[nodes_[index].child[0]].height, b = nodes_[nodes_[index].child[1]].height;
+  return a - b <= kMaxImbalance && b - a <= kMaxImbalance;
+}
+
 void DynamicTree::refitUp(std::uint32_t index) {
   while (index != kNull) {
     refit(index);
@@ -159,7 +164,12 @@ void DynamicTree::rotate(std::uint32_t index) {
     if (heights[1 - side] <= heights[side] + kMaxImbalance) continue;
     const Node& tall = nodes_[node.child[1 - side]];
     const std::int32_t left = nodes_[tall.child[0]].height, right = nodes_[tall.child[1]].height;
+    const std::uint32_t other = node.child[1 - side];
     swapDown(index, side, right > left ? 1 : 0);
+    if (!isBalanced(other)) {  // a leaf paired with a tall node far from it sinks until it is among its like
+      rotate(other);
+      refit(index);
+    }
     return;
   }
   int bestSide = -1, bestGrandchild = 0;

@@ -77,6 +77,7 @@ class DynamicTree {
   void replaceChild(std::uint32_t parent, std::uint32_t from, std::uint32_t to);
   void refit(std::uint32_t index);
   void refitUp(std::uint32_t index);
+  bool isBalanced(std::uint32_t index) const;
   void rotate(std::uint32_t index);
   void swapDown(std::uint32_t top, int side, int grandchild);
   const char* findNodeError(std::uint32_t index) const;

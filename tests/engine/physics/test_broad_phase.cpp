@@ -90,6 +90,17 @@ TEST(DynamicTree, StaysLowWhateverTheOrder) {
   }
 }
 
+TEST(DynamicTree, StaysBalancedWithLeavesFarFromAllOthers) {
+  Random random(17);
+  DynamicTree tree;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    Aabb box = randomBox(random, 1.0f);
+    const Vec3 away = Vec3::Constant(i % 60 == 59 ? 1000.0f * static_cast<float>(i) : 0.0f);
+    tree.insert({box.low + away, box.high + away}, i);
+    ASSERT_EQ(tree.findError(), nullptr) << i << " leaves";
+  }
+}
+
 TEST(DynamicTree, StopsAQueryWhenTheVisitorHasEnough) {
   Random random(3);
   DynamicTree tree;
