@@ -66,7 +66,7 @@ Transform poseAt(const Motion& motion, float time) {
   if (time == 0.0f) return motion.pose;
   Transform pose;
   pose.rotation = integrateRotation(motion.pose.rotation, motion.angularVelocity, time);
-  pose.position = motion.center + motion.velocity * time - pose.rotation * motion.pose.toLocal(motion.center);
+  pose.position = motion.center + motion.velocity * time - pose.rotate(motion.pose.toLocal(motion.center));
   return pose;
 }
 

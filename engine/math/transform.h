@@ -18,14 +18,23 @@ inline Quat rotationXyz(const Vec3& angles) {
          rotationAbout(Vec3::UnitX(), angles.x());
 }
 
+/// `v` turned by the unit quaternion `q`: the same operations as Eigen's q * v, but inlined.
+inline Vec3 rotated(const Quat& q, const Vec3& v) {
+  const float w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  const float halfX = y * v.z() - z * v.y(), halfY = z * v.x() - x * v.z(), halfZ = x * v.y() - y * v.x();
+  const float twiceX = halfX + halfX, twiceY = halfY + halfY, twiceZ = halfZ + halfZ;
+  return Vec3((v.x() + w * twiceX) + (y * twiceZ - z * twiceY), (v.y() + w * twiceY) + (z * twiceX - x * twiceZ),
+              (v.z() + w * twiceZ) + (x * twiceY - y * twiceX));
+}
+
 struct Transform {
   Vec3 position = Vec3::Zero();      // [m]
   Quat rotation = Quat::Identity();  // unit
 
-  Vec3 toWorld(const Vec3& pointLocal) const { return rotation * pointLocal + position; }
-  Vec3 toLocal(const Vec3& pointWorld) const { return rotation.conjugate() * (pointWorld - position); }
-  Vec3 rotate(const Vec3& vectorLocal) const { return rotation * vectorLocal; }
-  Vec3 unrotate(const Vec3& vectorWorld) const { return rotation.conjugate() * vectorWorld; }
+  Vec3 toWorld(const Vec3& pointLocal) const { return rotated(rotation, pointLocal) + position; }
+  Vec3 toLocal(const Vec3& pointWorld) const { return rotated(rotation.conjugate(), pointWorld - position); }
+  Vec3 rotate(const Vec3& vectorLocal) const { return rotated(rotation, vectorLocal); }
+  Vec3 unrotate(const Vec3& vectorWorld) const { return rotated(rotation.conjugate(), vectorWorld); }
 };
 
 /// First `inner`, then `outer`.

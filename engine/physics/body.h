@@ -73,7 +73,7 @@ struct Body {
   bool isDynamic() const { return type == BodyType::Dynamic; }
   /// Velocity of the world point `point` of this body. [m/s]
   Vec3 velocityAt(const Vec3& point) const { return velocity + angularVelocity.cross(point - center); }
-  void placeByCenter() { pose.position = center - pose.rotation * localCenter; }
+  void placeByCenter() { pose.position = center - pose.rotate(localCenter); }
   void placeByPose() { center = pose.toWorld(localCenter); }
   void wake() {
     awake = true;
