@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/geometry/penetration.h"
-#include "engine/geometry/relative_pose.h"
 #include "engine/geometry/simplex.h"
 
 namespace brittle::geometry {
@@ -20,9 +19,6 @@ struct Pair {
   const Proxy& a;
   const Proxy& b;
   RelativePose pose;
-
-  Pair(const Proxy& proxyA, const Transform& poseA, const Proxy& proxyB, const Transform& poseB)
-      : a(proxyA), b(proxyB), pose(relativePose(poseA, poseB)) {}
 
   double radii() const { return static_cast<double>(a.radius) + static_cast<double>(b.radius); }
 
@@ -161,22 +157,47 @@ Penetration penetrationOf(const Pair& pair, const Simplex& simplex, std::uint32_
   return result;
 }
 
-}  // namespace
+/// Whether the two overlap along the normal of a face, numbered as in SimplexCache.
+bool overlapsAlong(const Pair& pair, std::uint32_t axis) {
+  if (axis == 0 || pair.a.isSphere() || pair.b.isSphere()) return false;
+  const bool ofA = axis % 2 == 1;
+  const ConvexView& own = (ofA ? pair.a : pair.b).convex;
+  const std::uint32_t face = (axis - 1) / 2;
+  if (face >= own.faces.size()) return false;  // the mesh was cut since
+  const Vec3& corner = own.startOf(own.faces[face].edge);
+  const Vec3d onFace = ofA ? Vec3d(corner.cast<double>()) : pair.pose.apply(corner);
+  const Vec3d normal = own.faces[face].plane.normal.cast<double>();
+  const Vec3d outward = ofA ? normal : Vec3d(pair.pose.rotation * normal);
+  const SimplexVertex deepest = pair.support(ofA ? outward : Vec3d(-outward));
+  return outward.dot((ofA ? deepest.b : deepest.a) - onFace) < 0.0;
+}
 
-Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB,
-                      SimplexCache& cache, float stopAbove) {
-  const Pair pair(a, poseA, b, poseB);
+/// What overlapped when it was last seen mostly does still: then the axes are tested at once, without a search for a
+/// distance that is not there. False: not known whether they overlap.
+bool isStillOverlapping(const Pair& pair, const SimplexCache& cache, Penetration& core) {
+  if (!overlapsAlong(pair, cache.axis)) return false;
+  const std::uint32_t deepA = cache.a[0] < pair.a.convex.vertices.size() ? cache.a[0] : 0;
+  const std::uint32_t deepB = cache.b[0] < pair.b.convex.vertices.size() ? cache.b[0] : 0;
+  core = leastPenetration(pair.a.convex, pair.b.convex, pair.pose, deepA, deepB, cache.axis);
+  return core.separation < 0.0;
+}
+
+/// The closest points of the surfaces, in A's frame. None of a pair further apart than `stopAbove`.
+Penetration closestOf(const Pair& pair, SimplexCache& cache, float stopAbove) {
+  Penetration core;
+  if (isStillOverlapping(pair, cache, core)) {
+    cache.axis = core.axis;
+    return core;
+  }
+  core = {};
   // A millionth more, so that what is found to be further apart still is after rounding to float.
   const Search found = search(pair, cache, (static_cast<double>(stopAbove) + pair.radii()) * (1.0 + 1e-6), 0.0);
   remember(found.simplex, cache);
+  if (!found.overlapping) cache.axis = 0;
   if (found.apart) {
-    Separation far;
-    far.distance = static_cast<float>(found.lower - pair.radii());
-    far.normal = (rotationMatrix(poseA.rotation) * (found.nearest / -found.upper)).cast<float>();
-    return far;
-  }
-  Penetration core;
-  if (found.overlapping) {
+    core.separation = found.lower;
+    core.normal = found.nearest / -found.upper;
+  } else if (found.overlapping) {
     core = penetrationOf(pair, found.simplex, cache.axis);
     cache.axis = core.axis;
   } else {
@@ -186,20 +207,35 @@ Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, co
     for (int i = 0; i < found.simplex.count; ++i) core.pointA += found.simplex.weights[i] * found.simplex.vertices[i].a;
     core.pointB = core.pointA - found.nearest;
   }
-  const Vec3d surfaceA = core.pointA + static_cast<double>(a.radius) * core.normal;
-  const Vec3d surfaceB = core.pointB - static_cast<double>(b.radius) * core.normal;
+  core.separation -= pair.radii();
+  core.pointA += static_cast<double>(pair.a.radius) * core.normal;
+  core.pointB -= static_cast<double>(pair.b.radius) * core.normal;
+  return core;
+}
+
+}  // namespace
+
+Separation separation(const Proxy& a, const Proxy& b, const RelativePose& pose, SimplexCache& cache, float stopAbove) {
+  const Penetration closest = closestOf({a, b, pose}, cache, stopAbove);
+  return {static_cast<float>(closest.separation), closest.normal.cast<float>(), closest.pointA.cast<float>(),
+          closest.pointB.cast<float>()};
+}
+
+Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB,
+                      SimplexCache& cache, float stopAbove) {
+  const Penetration closest = closestOf({a, b, relativePose(poseA, poseB)}, cache, stopAbove);
   const Mat3d turn = rotationMatrix(poseA.rotation);
   const Vec3d origin = poseA.position.cast<double>();
   Separation result;
-  result.distance = static_cast<float>(core.separation - pair.radii());
-  result.normal = (turn * core.normal).cast<float>();
-  result.pointA = (turn * surfaceA + origin).cast<float>();
-  result.pointB = (turn * surfaceB + origin).cast<float>();
+  result.distance = static_cast<float>(closest.separation);
+  result.normal = (turn * closest.normal).cast<float>();
+  result.pointA = (turn * closest.pointA + origin).cast<float>();
+  result.pointB = (turn * closest.pointB + origin).cast<float>();
   return result;
 }
 
 bool overlaps(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB, float margin) {
-  const Pair pair(a, poseA, b, poseB);
+  const Pair pair{a, b, relativePose(poseA, poseB)};
   const double reach = pair.radii() + static_cast<double>(margin);
   const Search found = search(pair, SimplexCache{}, reach, reach);
   return !found.apart && (found.overlapping || found.upper <= reach);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/geometry/convex.h"
+#include "engine/geometry/relative_pose.h"
 #include "engine/math/aabb.h"
 #include "engine/math/transform.h"
 
@@ -42,6 +43,10 @@ struct Separation {
 /// apart and no closest points.
 Separation separation(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB,
                       SimplexCache& cache, float stopAbove = 3.0e38f);
+
+/// The same as seen from A: `pose` is B in A's frame, and so are normal and points.
+Separation separation(const Proxy& a, const Proxy& b, const RelativePose& pose, SimplexCache& cache,
+                      float stopAbove = 3.0e38f);
 
 /// True if the two overlap or come closer than `margin` [m] >= 0: overlap in configuration space, early out as soon as
 /// known.

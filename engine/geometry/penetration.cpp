@@ -73,11 +73,11 @@ class AxisTest {
     for (std::uint32_t f = 0; f < a_.faces.size(); ++f) testFace(a_, sideA_, sideB_, f);
     for (std::uint32_t f = 0; f < b_.faces.size(); ++f) testFace(b_, sideB_, sideA_, f);
     if (best_.separation < -1.0e299) tryAxis(normalBetween(), sideA_, sideB_, sideA_.points[0]);
-    refute(a_, sideA_, sideB_);
-    refute(b_, sideB_, sideA_);
-    collect(a_, sideA_);
-    if (!sideA_.edges.empty()) collect(b_, sideB_);
-    if (!sideA_.edges.empty()) testEdges();
+    if (!refute(a_, sideA_, sideB_) && !refute(b_, sideB_, sideA_)) {
+      collect(a_, sideA_);
+      if (!sideA_.edges.empty()) collect(b_, sideB_);
+      if (!sideA_.edges.empty()) testEdges();
+    }
     best_.normal.normalize();
     return best_;
   }
@@ -130,11 +130,12 @@ class AxisTest {
 
   /// On an axis between the normals of two faces of A, A's extreme point is on their edge. If some point of B is below
   /// both faces by at least the depth known so far, it is so for every axis between, and the edge cannot do better:
-  /// notes for each face which points of the other are that deep. A vertex deep inside all faces refutes every edge at
-  /// once.
-  void refute(const ConvexView& own, Side& ownSide, const Side& other) const {
+  /// notes for each face which points of the other are that deep. True: one is that deep inside all faces, which
+  /// refutes every edge at once.
+  bool refute(const ConvexView& own, Side& ownSide, const Side& other) const {
     ownSide.refuted.resize(own.faces.size());
     const double limit = best_.separation + kEdgeSlack * std::abs(best_.separation);
+    std::uint32_t common = ~0u;
     for (std::size_t f = 0; f < own.faces.size(); ++f) {
       const Vec3d& normal = ownSide.normals[f];
       const double offset = ownSide.points[own.edges[own.faces[f].edge].vertex].dot(normal);
@@ -142,7 +143,9 @@ class AxisTest {
       for (int i = 0; i < other.deepCount; ++i)
         if (other.deep[i].dot(normal) - offset <= limit) mask |= 1u << i;
       ownSide.refuted[f] = mask;
+      common &= mask;
     }
+    return common != 0;
   }
 
   static void collect(const ConvexView& convex, Side& side) {

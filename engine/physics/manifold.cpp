@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/geometry/clip.h"
-#include "engine/geometry/relative_pose.h"
 #include "engine/physics/manifold_points.h"
 
 namespace brittle::physics {
@@ -27,6 +26,7 @@ constexpr float kMergeRadius = 0.2f;  // of the size: a new point this near an o
 constexpr float kMaxDrift = 0.25f;    // of the size: sideways drift after which a point is dropped (incremental) [-]
 constexpr float kTooDeep = 0.1f;      // of the size: overlaps deeper than this get all points at once (incremental) [-]
 constexpr float kMaxTurn = 0.035f;    // two degrees: recompute after that [rad]
+constexpr float kUnknownReach = -1.0f;
 
 struct Scratch {
   std::vector<Vec3> reference, polygon, clip;
@@ -52,6 +52,9 @@ struct View {
   Vec3 toB(const Vec3& localA) const {
     return (pose.rotation.transpose() * (localA.cast<double>() - pose.translation)).cast<float>();
   }
+  Vec3 directionToB(const Vec3& localA) const {
+    return (pose.rotation.transpose() * localA.cast<double>()).cast<float>();
+  }
 };
 
 /// Separations along the kept normal, in A's frame. False if a point is beyond the margin by now.
@@ -67,8 +70,22 @@ bool refresh(const View& view, Manifold& manifold) {
   return true;
 }
 
+float reachFrom(const Proxy& proxy, const Vec3& local) {
+  float squared = 0.0f;
+  for (const geometry::Vertex& vertex : proxy.convex.vertices)
+    squared = maxOf(squared, (vertex.point - local).squaredNorm());
+  return std::sqrt(squared);
+}
+
+/// Measured when it is first asked for: most contacts of things that tumble never live that long.
+float reachOf(const View& view, Manifold& manifold) {
+  if (manifold.reach < 0.0f)
+    manifold.reach = minOf(reachFrom(view.a, manifold.points[0].localA), reachFrom(view.b, manifold.points[0].localB));
+  return manifold.reach;
+}
+
 /// True while no vertex near the contact has moved by more than the recycling distance since the points were computed.
-bool hardlyMoved(const View& view, const ManifoldSettings& settings, const Manifold& manifold) {
+bool hardlyMoved(const View& view, const ManifoldSettings& settings, Manifold& manifold) {
   if (!manifold.computed || manifold.count == 0) return false;
   const float limit = settings.recycleDistance * view.size;
   if (view.margin > manifold.computedMargin + limit) return false;
@@ -77,14 +94,7 @@ bool hardlyMoved(const View& view, const ManifoldSettings& settings, const Manif
   if (turn > kMaxTurn) return false;
   const Vec3& point = manifold.points[0].localB;
   const float moved = (view.toA(point) - manifold.computedAt.toWorld(point)).norm();
-  return moved + turn * manifold.reach < limit;
-}
-
-float reachFrom(const Proxy& proxy, const Vec3& local) {
-  float squared = 0.0f;
-  for (const geometry::Vertex& vertex : proxy.convex.vertices)
-    squared = maxOf(squared, (vertex.point - local).squaredNorm());
-  return std::sqrt(squared);
+  return moved < limit && moved + turn * reachOf(view, manifold) < limit;
 }
 
 /// The corners of a face in A's frame, relative to `origin` (so that rounding is relative to the contact, not to the
@@ -133,10 +143,13 @@ void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& 
   for (const Candidate& candidate : s.candidates) deepest = minOf(deepest, candidate.separation);
   const float limit = minOf(view.margin, deepest + kBesideFace * view.size);
   const std::size_t known = s.candidates.size();
+  // Most vertices are far off: one product each, in their own frame, says so.
+  const Vec3d along = pose.rotation.transpose() * normal.cast<double>();
+  const double offset = normal.cast<double>().dot(pose.translation - origin - s.reference[0].cast<double>());
   for (const geometry::Vertex& vertex : incident.vertices) {
-    const Vec3 corner = (pose.apply(vertex.point) - origin).cast<float>();
-    const float separation = normal.dot(corner - s.reference[0]);
+    const auto separation = static_cast<float>(along.dot(vertex.point.cast<double>()) + offset);
     if (separation > limit) continue;
+    const Vec3 corner = (pose.apply(vertex.point) - origin).cast<float>();
     bool counts = true;
     for (const Plane& side : s.sides) counts = counts && side.distance(corner) <= 0.0f;
     for (std::size_t i = 0; i < known && counts; ++i)
@@ -148,12 +161,12 @@ void addCornersBeside(const geometry::ConvexView& incident, const RelativePose& 
 enum class Reference { None, OfA, OfB };  // whose face gives the normal
 
 /// Candidates of two facing faces, and the normal in A's frame. Leaves both alone if no face faces the other shape.
-Reference facePoints(const View& view, const Separation& closest, const Vec3& closestNormal, const Vec3d& origin,
-                     Scratch& s, Vec3& normal) {
-  const Vec3 towardsA = view.poseB.unrotate(Vec3(-closest.normal));
-  const std::uint32_t faceA = geometry::supportFace(view.a.convex, closestNormal);
+Reference facePoints(const View& view, const Separation& closest, Scratch& s, Vec3& normal) {
+  const Vec3d origin = closest.pointA.cast<double>();
+  const Vec3 towardsA = view.directionToB(Vec3(-closest.normal));
+  const std::uint32_t faceA = geometry::supportFace(view.a.convex, closest.normal);
   const std::uint32_t faceB = geometry::supportFace(view.b.convex, towardsA);
-  const float alongA = view.a.convex.faces[faceA].plane.normal.dot(closestNormal);
+  const float alongA = view.a.convex.faces[faceA].plane.normal.dot(closest.normal);
   const float alongB = view.b.convex.faces[faceB].plane.normal.dot(towardsA);
   const bool ofB = alongB > alongA + kPreferA;
   const float along = ofB ? alongB : alongA;
@@ -199,24 +212,21 @@ void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
   const ManifoldPoint old[kMaxPoints] = {manifold.points[0], manifold.points[1], manifold.points[2],
                                          manifold.points[3]};
   const int oldCount = manifold.count;
-  const Vec3 origin = view.poseA.toLocal(closest.pointA);
-  const Vec3 closestNormal = view.poseA.unrotate(closest.normal);
-  Vec3 normal = closestNormal;
+  Vec3 normal = closest.normal;
   const bool ball = view.a.isSphere() || view.b.isSphere();
-  const Reference reference =
-      ball ? Reference::None : facePoints(view, closest, closestNormal, origin.cast<double>(), s, normal);
+  const Reference reference = ball ? Reference::None : facePoints(view, closest, s, normal);
   const bool faces = reference != Reference::None;
   // The closest point itself, unless the faces hold one as deep: the deepest corner need not belong to the face that
   // faces A.
-  const Vec3 apart = view.poseA.unrotate(Vec3(closest.pointB - closest.pointA));
+  const Vec3 apart = closest.pointB - closest.pointA;
   const float separation = faces ? normal.dot(apart) : closest.distance;
   bool found = false;
   for (const Candidate& candidate : s.candidates)
     found = found || candidate.separation <= separation + kDepthBand * view.size;
   if (!found) s.candidates.push_back({Vec3::Zero(), apart, separation});
   reducePoints(normal, kDepthBand * view.size, s.candidates);
-  setPoints(view, origin, s, manifold);
-  manifold.normal = faces ? view.poseA.rotate(normal) : closest.normal;
+  setPoints(view, closest.pointA, s, manifold);
+  manifold.normal = view.poseA.rotate(normal);
   manifold.normalOfB = reference == Reference::OfB;
   manifold.localNormal = manifold.normalOfB ? view.poseB.unrotate(manifold.normal) : normal;
   // A ball has one point whatever it does; other points are the same while they stay within the contact's own scale.
@@ -228,8 +238,8 @@ void clipAll(const View& view, const Separation& closest, Manifold& manifold) {
 bool addClosest(const View& view, const Separation& closest, Manifold& manifold) {
   Scratch& s = scratch();
   s.candidates.clear();
-  const Vec3 normal = view.poseA.unrotate(closest.normal);
-  const Candidate fresh{view.poseA.toLocal(closest.pointA), view.poseA.toLocal(closest.pointB), closest.distance};
+  const Vec3& normal = closest.normal;
+  const Candidate fresh{closest.pointA, closest.pointB, closest.distance};
   bool merged = false, dropped = false;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& point = manifold.points[i];
@@ -253,7 +263,7 @@ bool addClosest(const View& view, const Separation& closest, Manifold& manifold)
   setPoints(view, Vec3::Zero(), s, manifold);
   manifold.normalOfB = false;
   manifold.localNormal = normal;
-  manifold.normal = closest.normal;
+  manifold.normal = view.poseA.rotate(normal);
   return merged && !dropped && manifold.count == kMaxPoints;
 }
 
@@ -263,7 +273,7 @@ void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const P
                     float sizeB, float margin, const ManifoldSettings& settings, Manifold& manifold) {
   const View view{a, b, poseA, poseB, geometry::relativePose(poseA, poseB), minOf(sizeA, sizeB), margin};
   if (hardlyMoved(view, settings, manifold) && refresh(view, manifold)) return;
-  const Separation closest = geometry::separation(a, poseA, b, poseB, manifold.simplex, margin);
+  const Separation closest = geometry::separation(a, b, view.pose, manifold.simplex, margin);  // seen from A
   manifold.computed = false;
   if (closest.distance > margin) {
     manifold.count = 0;
@@ -282,7 +292,7 @@ void updateManifold(const Proxy& a, const Transform& poseA, float sizeA, const P
   manifold.computed = true;
   manifold.computedAt = relativeTo(poseA, poseB);
   manifold.computedMargin = margin;
-  manifold.reach = minOf(reachFrom(a, manifold.points[0].localA), reachFrom(b, manifold.points[0].localB));
+  manifold.reach = kUnknownReach;
 }
 
 }  // namespace brittle::physics

@@ -40,8 +40,8 @@ struct Manifold {
   Transform computedAt;              // B's pose seen from A
   Vec3 localNormal = Vec3::UnitY();  // the normal in A's frame, or in B's:
   bool normalOfB = false;            // it is that of a face of B and turns with it
-  float reach = 0.0f;                // farthest vertex of the smaller shape from the first point [m]
-  float computedMargin = 0.0f;       // [m]
+  float reach = 0.0f;           // farthest vertex of the smaller shape from the first point [m]; negative: not known
+  float computedMargin = 0.0f;  // [m]
   bool computed = false;
   bool seeded = false;  // came from the cut, not from a search
 
