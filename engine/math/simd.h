@@ -27,6 +27,15 @@ inline Float4 minOf(Float4 a, Float4 b) {
 inline Float4 maxOf(Float4 a, Float4 b) {
   return select(a < b, b, a);
 }
+/// The four become columns of what they are rows of.
+inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
+  const Float4 lowAb = __builtin_shufflevector(a, b, 0, 4, 1, 5), highAb = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Float4 lowCd = __builtin_shufflevector(c, d, 0, 4, 1, 5), highCd = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  a = __builtin_shufflevector(lowAb, lowCd, 0, 1, 4, 5);
+  b = __builtin_shufflevector(lowAb, lowCd, 2, 3, 6, 7);
+  c = __builtin_shufflevector(highAb, highCd, 0, 1, 4, 5);
+  d = __builtin_shufflevector(highAb, highCd, 2, 3, 6, 7);
+}
 inline Float4 squareRoot(Float4 v) {
   return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 }

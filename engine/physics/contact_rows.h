@@ -57,16 +57,28 @@ struct ContactRows {
     v.angularB = v.angularB + twistTurnB * twistImpulse;
   }
 
-  void solveNormals(int count, bool backwards, PairVelocity<N>& v) {
+  /// The first `count` points in `steps` steps: one after the other, and from the last one on back again. They share
+  /// the normal, so the bodies' linear motion along it is one number meanwhile.
+  void solveNormals(int count, int steps, bool backwards, PairVelocity<N>& v) {
     const N zero{};
-    for (int step = 0; step < count; ++step) {
-      const int i = backwards ? count - 1 - step : step;
+    const N invMass = invMassA + invMassB;
+    N parting = dot(normal, v.linearB - v.linearA);
+    N sum{};
+    for (int step = 0; step < steps; ++step) {
+      const int there = step < count ? step : 2 * count - 2 - step;
+      const int i = backwards ? count - 1 - there : there;
       Row<N>& row = point[i];
-      const N wanted = row.impulse - row.mass * (speedAlong(normal, row, v) - target[i]);
-      const N clamped = maxOf(wanted, zero);
-      apply(normal, row, clamped - row.impulse, v);
+      const N speed = parting + (dot(row.angularB, v.angularB) - dot(row.angularA, v.angularA));
+      const N clamped = maxOf(row.impulse - row.mass * (speed - target[i]), zero);
+      const N change = clamped - row.impulse;
       row.impulse = clamped;
+      parting = parting + invMass * change;
+      sum = sum + change;
+      v.angularA = v.angularA - row.turnA * change;
+      v.angularB = v.angularB + row.turnB * change;
     }
+    v.linearA = v.linearA - normal * (invMassA * sum);
+    v.linearB = v.linearB + normal * (invMassB * sum);
   }
 
   /// Friction within the cone that the present normal impulses allow.

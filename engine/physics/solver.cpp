@@ -1,6 +1,8 @@
 #include "engine/physics/solver.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 
 #include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
@@ -10,13 +12,39 @@
 namespace brittle::physics {
 namespace {
 
-template <class Get>
-Wide3<Float4> gather(const std::uint32_t (&index)[kLanes], Get&& get) {
-  const Vec3& p = get(index[0]);
-  const Vec3& q = get(index[1]);
-  const Vec3& r = get(index[2]);
-  const Vec3& s = get(index[3]);
-  return {Float4{p.x(), q.x(), r.x(), s.x()}, Float4{p.y(), q.y(), r.y(), s.y()}, Float4{p.z(), q.z(), r.z(), s.z()}};
+/// The velocities of a body, each with its pad as four lanes.
+struct Lanes {
+  Float4 linear, angular;
+};
+static_assert(offsetof(SolverBody, angularVelocity) == sizeof(Float4) &&
+              offsetof(SolverBody, invMass) == sizeof(Lanes));
+
+Lanes lanesOf(const SolverBody& body) {
+  Lanes lanes;
+  std::memcpy(&lanes, &body, sizeof(lanes));
+  return lanes;
+}
+
+/// What `load` and `store` do with one body of each of four pairs.
+[[gnu::always_inline]] inline void gather(const SolverBody* bodies, const std::uint32_t (&index)[kLanes],
+                                          Wide3<Float4>& linear, Wide3<Float4>& angular) {
+  Lanes p = lanesOf(bodies[index[0]]), q = lanesOf(bodies[index[1]]);
+  Lanes r = lanesOf(bodies[index[2]]), s = lanesOf(bodies[index[3]]);
+  transpose(p.linear, q.linear, r.linear, s.linear);
+  transpose(p.angular, q.angular, r.angular, s.angular);
+  linear = {p.linear, q.linear, r.linear};
+  angular = {p.angular, q.angular, r.angular};
+}
+
+[[gnu::always_inline]] inline void scatter(const Wide3<Float4>& linear, const Wide3<Float4>& angular,
+                                           const std::uint32_t (&index)[kLanes], SolverBody* bodies) {
+  Lanes p{linear.x, angular.x}, q{linear.y, angular.y}, r{linear.z, angular.z}, s{};
+  transpose(p.linear, q.linear, r.linear, s.linear);
+  transpose(p.angular, q.angular, r.angular, s.angular);
+  std::memcpy(static_cast<void*>(&bodies[index[0]]), &p, sizeof(p));
+  std::memcpy(static_cast<void*>(&bodies[index[1]]), &q, sizeof(q));
+  std::memcpy(static_cast<void*>(&bodies[index[2]]), &r, sizeof(r));
+  std::memcpy(static_cast<void*>(&bodies[index[3]]), &s, sizeof(s));
 }
 
 Wide3<float> wide(const Vec3& v) {
@@ -40,19 +68,16 @@ void store(std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b, co
 
 PairVelocity<Float4> load(const std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes],
                           const std::uint32_t (&b)[kLanes]) {
-  const auto linear = [&](std::uint32_t i) -> const Vec3& { return bodies[i].velocity; };
-  const auto angular = [&](std::uint32_t i) -> const Vec3& { return bodies[i].angularVelocity; };
-  return {gather(a, linear), gather(a, angular), gather(b, linear), gather(b, angular)};
+  PairVelocity<Float4> v;
+  gather(bodies.data(), a, v.linearA, v.angularA);
+  gather(bodies.data(), b, v.linearB, v.angularB);
+  return v;
 }
 
 void store(std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes], const std::uint32_t (&b)[kLanes],
            const PairVelocity<Float4>& v) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    bodies[a[lane]].velocity = Vec3(v.linearA.x[lane], v.linearA.y[lane], v.linearA.z[lane]);
-    bodies[a[lane]].angularVelocity = Vec3(v.angularA.x[lane], v.angularA.y[lane], v.angularA.z[lane]);
-    bodies[b[lane]].velocity = Vec3(v.linearB.x[lane], v.linearB.y[lane], v.linearB.z[lane]);
-    bodies[b[lane]].angularVelocity = Vec3(v.angularB.x[lane], v.angularB.y[lane], v.angularB.z[lane]);
-  }
+  scatter(v.linearA, v.angularA, a, bodies.data());
+  scatter(v.linearB, v.angularB, b, bodies.data());
 }
 
 /// Whether a point was hit hard enough to rebound.
@@ -258,8 +283,7 @@ void ContactSolver::solveBatches(bool backwards) {
     Batch& batch = batches_[backwards ? batchCount_ - 1 - i : i];
     PairVelocity<Float4> v = load(*bodies_, batch.bodyA, batch.bodyB);
     batch.rows.solveFriction(v);
-    batch.rows.solveNormals(batch.points, backwards, v);
-    if (batch.points > 1) batch.rows.solveNormals(batch.points, !backwards, v);
+    batch.rows.solveNormals(batch.points, 2 * batch.points - 1, backwards, v);
     physics::store(*bodies_, batch.bodyA, batch.bodyB, v);
   }
 }
@@ -314,7 +338,7 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
   for (std::uint32_t i = group.first; i < group.end; ++i) {
     Single& single = singles_[i];
     PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
-    single.rows.solveNormals(single.points, false, v);
+    single.rows.solveNormals(single.points, single.points, false, v);
     physics::store(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);

@@ -9,11 +9,12 @@ namespace brittle::physics {
 /// harmless.
 struct SolverBody {
   Vec3 velocity = Vec3::Zero();         // [m/s]
-  float invMass = 0.0f;                 // [1/kg]
+  float pad = 0.0f;                     // so that a velocity is read and written as four lanes
   Vec3 angularVelocity = Vec3::Zero();  // [rad/s]
-  float pad = 0.0f;
-  Mat3 invInertia = Mat3::Zero();  // world [1/(kg m2)]
+  float angularPad = 0.0f;
+  float invMass = 0.0f;            // [1/kg]
   Vec3 center = Vec3::Zero();      // world [m]
+  Mat3 invInertia = Mat3::Zero();  // world [1/(kg m2)]
 
   void applyImpulse(const Vec3& impulse, const Vec3& arm) {
     velocity += impulse * invMass;
