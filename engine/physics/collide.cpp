@@ -3,6 +3,7 @@
 #include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
+#include "engine/physics/point_lanes.h"
 
 namespace brittle::physics {
 namespace {
@@ -103,12 +104,12 @@ float closingWay(const Body& a, const Body& b, float dt) {
 /// Closing speed at each point before the solver first stopped it: what restitution gives back. Within a tick it only
 /// grows.
 void rememberApproach(const Body& a, const Body& b, Contact& contact) {
-  for (int i = 0; i < contact.manifold.count; ++i) {
-    const ManifoldPoint& point = contact.manifold.points[i];
-    const Vec3 at = 0.5f * (a.pose.toWorld(point.localA) + b.pose.toWorld(point.localB));
-    const float speed = -contact.manifold.normal.dot(b.velocityAt(at) - a.velocityAt(at));
-    contact.approach[i] = maxOf(contact.approach[i], speed);
-  }
+  if (contact.manifold.count == 0) return;
+  const Wide3<Float4> at = lanesOf(contact.manifold, a.pose, b.pose).middle();
+  const Wide3<Float4> velocityA = splat(a.velocity) + cross(splat(a.angularVelocity), at - splat(a.center));
+  const Wide3<Float4> velocityB = splat(b.velocity) + cross(splat(b.angularVelocity), at - splat(b.center));
+  const Float4 speed = dot(splat(contact.manifold.normal), velocityA - velocityB);
+  for (int i = 0; i < contact.manifold.count; ++i) contact.approach[i] = maxOf(contact.approach[i], speed[i]);
 }
 
 /// No point is near or closes its gap within the tick: a row for it would never push.

@@ -2,6 +2,7 @@
 // solver.
 #pragma once
 
+#include "engine/physics/point_lanes.h"
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
@@ -51,6 +52,28 @@ void fillRow(const SolverBody& a, const SolverBody& b, const Vec3& rA, const Vec
   setLane(row.impulse, i, impulse);
 }
 
+/// The rows along the normal of all points at `places`.
+template <class N>
+void fillNormals(const SolverBody& a, const SolverBody& b, const Manifold& manifold, const Wide3<Float4>& places, int i,
+                 ContactRows<N>& rows) {
+  const Wide3<Float4> normal = splat(manifold.normal);
+  const Wide3<Float4> angularA = cross(places - splat(a.center), normal);
+  const Wide3<Float4> angularB = cross(places - splat(b.center), normal);
+  const Wide3<Float4> turnA = product(a.invInertia, angularA);
+  const Wide3<Float4> turnB = product(b.invInertia, angularB);
+  const Float4 compliance = brittle::splat(a.invMass + b.invMass) + (dot(angularA, turnA) + dot(angularB, turnB));
+  const Float4 mass = select(compliance > Float4{}, 1.0f / compliance, Float4{});
+  for (int p = 0; p < manifold.count; ++p) {
+    Row<N>& row = rows.point[p];
+    setLane(row.angularA, i, lane(angularA, p));
+    setLane(row.angularB, i, lane(angularB, p));
+    setLane(row.turnA, i, lane(turnA, p));
+    setLane(row.turnB, i, lane(turnB, p));
+    setLane(row.mass, i, mass[p]);
+    setLane(row.impulse, i, manifold.points[p].normalImpulse);
+  }
+}
+
 template <class N>
 void fillFriction(const SolverBody& a, const SolverBody& b, const Contact& contact, const Vec3& middle, float radius,
                   int i, ContactRows<N>& rows) {
@@ -84,18 +107,18 @@ void fillLane(const State& state, const Contact& contact, GapRule gap, float dt,
   setLane(rows.normal, i, manifold.normal);
   setLane(rows.invMassA, i, a.invMass);
   setLane(rows.invMassB, i, b.invMass);
+  const Wide3<Float4> places = lanesOf(manifold, bodyA.pose, bodyB.pose).middle();
+  fillNormals(a, b, manifold, places, i, rows);
+  const float share = 1.0f / static_cast<float>(maxOf(manifold.count, 1));
   Vec3 middle = Vec3::Zero();
-  Vec3 places[kMaxPoints];
   for (int p = 0; p < manifold.count; ++p) {
-    const ManifoldPoint& point = manifold.points[p];
-    places[p] = 0.5f * (bodyA.pose.toWorld(point.localA) + bodyB.pose.toWorld(point.localB));
-    middle += places[p] / static_cast<float>(manifold.count);
-    fillRow(a, b, places[p] - a.center, places[p] - b.center, manifold.normal, point.normalImpulse, i, rows.point[p]);
-    const bool open = point.separation > 0.0f && gap == GapRule::Speculative;
-    setLane(rows.target[p], i, open ? -point.separation / time : 0.0f);
+    const float separation = manifold.points[p].separation;
+    const bool open = separation > 0.0f && gap == GapRule::Speculative;
+    setLane(rows.target[p], i, open ? -separation / time : 0.0f);
+    middle += lane(places, p) * share;
   }
   float radius = 0.0f;
-  for (int p = 0; p < manifold.count; ++p) radius += (places[p] - middle).norm() / static_cast<float>(manifold.count);
+  for (int p = 0; p < manifold.count; ++p) radius += (lane(places, p) - middle).norm() * share;
   fillFriction(a, b, contact, middle, radius, i, rows);
 }
 
