@@ -35,6 +35,8 @@ void setBack(State& state, const Pair& pair, Body& body) {
 
 /// Only where the two were close, or met, is it known on which side the body was.
 void confine(State& state, BodyHandle handle, const Meeting& meeting) {
+  const Contact& contact = state.contacts.at(meeting.contact);
+  if (contact.manifold.count == 0 && !contact.met) return;
   const Pair pair = pairOf(state, meeting);
   const float depth = depthOf(pair.contact);
   if (!pair.contact.met) {

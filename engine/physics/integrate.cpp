@@ -60,11 +60,11 @@ void pushApart(State& state, const Contact& contact) {
     const float overlap = -(onB - onA).dot(normal) - slop;
     if (overlap <= 0.0f) continue;
     const float push = minOf(kPushRatio * overlap, kMaxPush * minOf(shapeA.innerRadius, shapeB.innerRadius));
-    const Vec3 armA = onA - a.center;
-    const Vec3 armB = onB - b.center;
-    const Vec3 turnA = invMassA > 0.0f ? Vec3(a.invInertia * armA.cross(normal)) : Vec3(Vec3::Zero());
-    const Vec3 turnB = invMassB > 0.0f ? Vec3(b.invInertia * armB.cross(normal)) : Vec3(Vec3::Zero());
-    const float compliance = invMassA + invMassB + armA.cross(normal).dot(turnA) + armB.cross(normal).dot(turnB);
+    const Vec3 angularA = (onA - a.center).cross(normal);
+    const Vec3 angularB = (onB - b.center).cross(normal);
+    const Vec3 turnA = invMassA > 0.0f ? Vec3(a.invInertia * angularA) : Vec3(Vec3::Zero());
+    const Vec3 turnB = invMassB > 0.0f ? Vec3(b.invInertia * angularB) : Vec3(Vec3::Zero());
+    const float compliance = invMassA + invMassB + angularA.dot(turnA) + angularB.dot(turnB);
     const float impulse = push / compliance;
     if (invMassA > 0.0f) displace(a, normal * (-impulse * invMassA), turnA * -impulse);
     if (invMassB > 0.0f) displace(b, normal * (impulse * invMassB), turnB * impulse);

@@ -51,10 +51,12 @@ void gatherMeetings(State& state) {
     if (contact.passable) return;
     const BodyHandle a = state.shapes[contact.a].body;
     const BodyHandle b = state.shapes[contact.b].body;
-    const bool stopsA = isObstacle(state, state.bodies[a], state.bodies[b]);
-    if (!stopsA && !isObstacle(state, state.bodies[b], state.bodies[a])) return;
+    const Body& bodyA = state.bodies[a];
+    const Body& bodyB = state.bodies[b];
+    const bool stopsA = isObstacle(state, bodyA, bodyB);
+    if (!stopsA && !isObstacle(state, bodyB, bodyA)) return;
     std::uint32_t& first = state.firstMeeting[stopsA ? a.index : b.index];
-    const Body& obstacle = state.bodies[stopsA ? b : a];
+    const Body& obstacle = stopsA ? bodyB : bodyA;
     state.meetings.push_back({handle.index, stopsA, !obstacle.isDynamic() || !obstacle.awake, first});
     first = static_cast<std::uint32_t>(state.meetings.size() - 1);
   });

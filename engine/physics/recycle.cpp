@@ -46,6 +46,7 @@ bool isPiece(const Body& body) {
 
 void finishContacts(State& state) {
   state.contacts.forEach([&](ContactHandle, Contact& contact) {
+    if (contact.manifold.count == 0 && !contact.touching) return;
     const Shape& a = state.shapes[contact.a];
     const Shape& b = state.shapes[contact.b];
     if (!state.bodyOf(a).awake && !state.bodyOf(b).awake) return;
