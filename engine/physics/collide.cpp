@@ -10,8 +10,6 @@ namespace {
 
 constexpr float kFatMargin = 0.05f;  // boxes in the tree are larger by this [m], so that most bodies do not touch it
 constexpr float kLoose = 4.0f;  // boxes larger by so many margins are from faster days: they have too many pairs [-]
-constexpr float kNearRatio =
-    0.5f;  // of the smaller inner radius: a gap this wide that does not close makes no contact [-]
 constexpr float kSameNormal = 0.98f;  // cosine: 11 degrees [-]
 constexpr float kMaxTurn = 0.2f;      // and as much within the tick [rad]
 constexpr float kFatRatio = 0.125f;   // or by this part of the shape's extent, if that is less [-]
@@ -127,7 +125,7 @@ void updateContact(State& state, Contact& contact, float dt) {
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
   const float size = minOf(a.innerRadius, b.innerRadius);
-  const float near = minOf(state.accuracy.speculativeMargin, kNearRatio * size);
+  const float near = minOf(state.accuracy.speculativeMargin, size);
   const float margin = near + closingWay(bodyA, bodyB, dt);
   if (!currentBox(state, a, contact.a.index).grownBy(margin).overlaps(currentBox(state, b, contact.b.index))) {
     contact.manifold.count = 0;
