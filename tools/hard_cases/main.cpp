@@ -55,12 +55,14 @@ class Rows : public testing::EmptyTestEventListener {
   const std::vector<Row>& rows() const { return rows_; }
 
  private:
+  void OnTestStart(const testing::TestInfo& test) override {
+    test_ = std::string(test.test_suite_name()) + "." + test.name();
+  }
+  /// The unit test is locked meanwhile: asking it for the current test would wait for ever.
   void OnTestPartResult(const testing::TestPartResult& result) override {
     if (!result.failed()) return;
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    std::fprintf(stderr, "%s:%d: %s.%s\n%s\n", result.file_name() != nullptr ? result.file_name() : "?",
-                 result.line_number(), test != nullptr ? test->test_suite_name() : "?",
-                 test != nullptr ? test->name() : "?", result.message());
+    std::fprintf(stderr, "%s:%d: %s\n%s\n", result.file_name() != nullptr ? result.file_name() : "?",
+                 result.line_number(), test_.c_str(), result.message());
   }
   void OnTestSuiteStart(const testing::TestSuite& suite) override { std::fprintf(stderr, "%s ...\n", suite.name()); }
   void OnTestSuiteEnd(const testing::TestSuite& suite) override {
@@ -72,6 +74,7 @@ class Rows : public testing::EmptyTestEventListener {
     }
   }
   std::vector<Row> rows_;
+  std::string test_;  // the one that runs
 };
 
 /// What names no case, as one line; empty: everything does.
