@@ -222,6 +222,12 @@ void scatterCrumbs(State& state, const Body& old, std::uint32_t color, const Fra
   }
 }
 
+/// Those from `first` on; equal ones as they stand. (std::stable_sort asks for memory, and there are few.)
+void sortByPlace(std::vector<fracture::Impact>& impacts, std::uint32_t first) {
+  for (auto next = impacts.begin() + first; next != impacts.end(); ++next)
+    std::rotate(std::upper_bound(impacts.begin() + first, next, *next, isBefore), next, next + 1);
+}
+
 /// One breaking per body with saturated strikes, in the order of the bodies.
 void gatherBreakings(State& state) {
   state.breakings.clear();
@@ -237,7 +243,7 @@ void gatherBreakings(State& state) {
       if (hardest == nullptr || list[end].approachSpeed > hardest->approachSpeed) hardest = &list[end];
     }
     if (hardest == nullptr) continue;
-    std::stable_sort(impacts.begin() + firstImpact, impacts.end(), isBefore);
+    sortByPlace(impacts, firstImpact);
     const Body& struck = state.bodies[hardest->struck];
     const BreakEvent event{
         hardest->struck,        hardest->striker,  struck.assembly,
@@ -321,7 +327,7 @@ void breakHeld(State& state) {
       if (state.bodies.contains(other.striker))
         charge(state, other.striker, other.struck, state.bodies[first.struck].breaking.strength);
     }
-    std::stable_sort(impacts.begin(), impacts.end(), isBefore);
+    sortByPlace(impacts, 0);
     const Body& struck = state.bodies[first.struck];
     const BreakEvent event{first.struck,
                            first.striker,

@@ -5,6 +5,8 @@
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
 
+#include <cmath>
+
 namespace brittle::physics {
 namespace {
 
@@ -42,6 +44,15 @@ void setGeometry(Shape& shape, const geometry::ConvexView& convex, const geometr
   shape.innerRadius = innerRadiusOf(convex);
   shape.massProperties = properties;
   shape.meshHash = hashOf(convex);
+}
+
+/// The determinant is of the third power of what a shard of a millimetre has, 1e-13 kg m2, and would be no number any
+/// more: scaled by a power of two first, which changes no bit of any other.
+Mat3 inverseOf(const Mat3& inertia) {
+  int exponent = 0;
+  std::frexp(inertia.trace(), &exponent);
+  const float scale = std::ldexp(1.0f, -exponent);
+  return Mat3(Mat3(inertia * scale).inverse() * scale);
 }
 
 }  // namespace
@@ -142,7 +153,7 @@ void updateMass(State& state, BodyHandle handle) {
         body.radius = maxOf(body.radius, (vertex.point - body.localCenter).norm());
   });
   body.invMass = body.isDynamic() ? 1.0f / body.mass : 0.0f;
-  body.localInvInertia = body.isDynamic() ? Mat3(body.localInertia.inverse()) : Mat3(Mat3::Zero());
+  body.localInvInertia = body.isDynamic() ? inverseOf(body.localInertia) : Mat3(Mat3::Zero());
   refreshInertia(body);
 }
 

@@ -21,11 +21,18 @@ constexpr Case kCases[] = {
     {"B28", "J (1 - 1e-6) and J (1 + 1e-6)", "rebound and break; one crossing over 1000 speeds"},
     {"B29", "1 kg under 10 t; a stack of ten that alternates", "10 s within 5 %; impulses add up to the weight"},
     {"B30", "glancing and spinning hits", "friction at most mu times the capped impulse; no energy gained"},
+    {"B31", "one carve of 30 shards", "work linear in shards; no allocation when warm"},
+    {"B32", "10,000 breaks under a cap of 500", "live bodies and memory bounded; the tree stays flat"},
+    {"B33", "the same scene twice, and on other builds", "the same hash every tick"},
     {"B34", "sleeping shards hit, undermined, cut off", "what is touched wakes in one step; nothing floats"},
     {"B35", "grazes within the speculative margin", "no break without a touch in 1e4"},
     {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
     {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
+    {"B41", "1,000 to 32,000 bodies made and removed", "work per body flat within 1.5; memory returns"},
+    {"B44", "resting and hanging loads at 0.1 to 3 times the limit",
+     "breaks exactly above it at any dt; joints never break"},
     {"B45", "thirty identical rooms on end, and one far out", "every room the same hashes, tick by tick"},
+    {"B46", "snapshots at 100 ticks of each replay", "the rest of the hashes, with memory poisoned"},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "engine/physics/collide.h"
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -42,9 +43,11 @@ void shatterAndWait(fracture::Pattern pattern, const Vec3& point, float turn, st
     const Body& shard = world.body(shards[i]);
     const float moved = (shard.center - places[i]).norm();
     EXPECT_LT(moved, slopOf(world.state(), shard)) << "shard " << i << " of radius " << shard.radius;
+    hard::reportWorst("moved by", double(moved / slopOf(world.state(), shard)), "slops");
     fastest = maxOf(fastest, shard.velocity.norm() + shard.angularVelocity.norm() * shard.radius);
   }
   EXPECT_LT(fastest, 1e-3f);
+  hard::reportWorst("fastest shard", double(fastest), "m/s");
 }
 
 TEST(B18, DiceOfABlockStayWhereTheyWereCut) {

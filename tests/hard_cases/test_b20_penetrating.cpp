@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -49,10 +50,12 @@ TEST(B20, PushingOutBreaksNothing) {
         ASSERT_EQ(world.counters().breaks, 0u)
             << "mode " << static_cast<int>(mode) << ", how " << i << ", tick " << tick;
         fastest = maxOf(fastest, world.body(body).velocity.norm());
+        hard::reportSum("breaks", world.counters().breaks);
       }
       if (how.gravity) continue;
       // Pushed out by positions: nothing has gained speed, and nothing of the depth is left.
       EXPECT_LT(fastest, 1e-4f) << "arrangement " << i;
+      hard::reportWorst("pushed out at", double(fastest), "m/s");
       const float top = world.body(struck).center.y() + (how.block ? 0.2f : 0.01f);
       EXPECT_GT(world.body(body).center.y() - top, 0.1f - 0.001f) << "arrangement " << i;
     }

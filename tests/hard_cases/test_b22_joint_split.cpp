@@ -6,6 +6,7 @@
 
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -115,7 +116,7 @@ TEST(B22, PivotsInsideAPieceGoWithIt) {
     }
   }
   EXPECT_LT(worst, kSlop);
-  RecordProperty("anchorError", std::to_string(worst));
+  hard::reportWorst("anchor error", 1000.0 * double(worst), "mm");
 }
 
 TEST(B22, PivotsOnACutGoWithOneOfItsPieces) {
@@ -137,7 +138,8 @@ TEST(B22, PivotsOnACutGoWithOneOfItsPieces) {
   }
   EXPECT_LT(farthest, kSlop);
   EXPECT_LT(worst, kSlop);
-  RecordProperty("places", static_cast<int>(places.onCuts.size()));
+  hard::reportWorst("anchor error", 1000.0 * double(worst), "mm");
+  hard::reportSum("places on cuts", double(places.onCuts.size()));
 }
 
 TEST(B22, PivotsThatAreCarvedOutAreGone) {

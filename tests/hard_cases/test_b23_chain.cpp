@@ -5,6 +5,7 @@
 
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -92,8 +93,8 @@ TEST(B23, AChainWhoseLoadedLinkBreaksStaysCalm) {
   }
   EXPECT_LT(after, 2.0f * before);
   EXPECT_TRUE(chain.world.events().quarantined.empty());
-  RecordProperty("errorBefore", std::to_string(before));
-  RecordProperty("errorAfter", std::to_string(after));
+  hard::reportWorst("anchor error before", 1000.0 * double(before), "mm");
+  hard::reportWorst("after", 1000.0 * double(after), "mm");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -56,6 +57,8 @@ TEST(B26, APileInWhichEverythingBreaksIsDoneInTheAllowedRounds) {
     ASSERT_LE(counters.contacts, 64u * counters.bodies) << tick;
     expectNothingDangles(world.state());
     heldBefore = counters.held;
+    hard::reportWorst("rounds", counters.rounds);
+    hard::reportWorst("contacts per body", double(counters.contacts) / counters.bodies);
     breaks += counters.breaks;
     pieces += counters.pieces;
   }
@@ -64,6 +67,8 @@ TEST(B26, APileInWhichEverythingBreaksIsDoneInTheAllowedRounds) {
   EXPECT_TRUE(world.state().held.empty());
   EXPECT_GE(breaks, kBoxes);
   EXPECT_LE(pieces, 40u * breaks);
+  hard::reportSum("boxes broken", double(broken));
+  hard::reportSum("still held", double(world.state().held.size()));
   world.forEachBody([&](BodyHandle, const Body& body) {
     ASSERT_TRUE(isFinite(body.center));
     ASSERT_LT(body.velocity.norm(), 20.0f);

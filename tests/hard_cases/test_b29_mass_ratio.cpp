@@ -5,6 +5,7 @@
 
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -69,6 +70,9 @@ TEST_P(B29, StandsAndReportsItsWeight) {
     EXPECT_GT(box.center.y() - kHalf, below - 0.05f * 2.0f * kHalf) << "box " << i;
     EXPECT_LT(Vec2(box.center.x(), box.center.z()).norm(), creep) << "box " << i;
     EXPECT_NEAR(stack.impulseUnder(i), stack.borne[i] * kTick, 0.05f * stack.borne[i] * kTick) << "box " << i;
+    hard::reportWorst("overlap", 100.0 * double((below - box.center.y() + kHalf) / (2.0f * kHalf)), "%");
+    hard::reportWorst("impulses off by",
+                      100.0 * double(std::abs(stack.impulseUnder(i) / (stack.borne[i] * kTick) - 1.0f)), "%");
     below = box.center.y() + kHalf;
   }
 }

@@ -8,6 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/math/trig.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -52,6 +53,7 @@ Outcome strike(const Hit& hit, const std::string& name) {
     if (!outcome.broke) measure(world.body(ball).velocity);
     const double now = totalsOf(world).kineticEnergy;
     EXPECT_LE(now, energy * (1.0 + 1e-6)) << name << ", tick " << tick;
+    hard::reportWorst("energy changes by at most", now / energy - 1.0);
     energy = now;
     outcome.broke = outcome.broke || world.counters().breaks > 0;
   }
@@ -77,6 +79,7 @@ TEST(B30, FrictionIsBoundedByTheCappedImpulse) {
     // What the shards in its way take, they weigh about a thousandth of it, is in the second term.)
     const float shards = 2e-3f * kMass * speed;
     EXPECT_LE(outcome.normalImpulse, kStrength + shards) << "hit " << i;
+    hard::reportWorst("friction / allowed", double(outcome.tangentialImpulse / (mu * kStrength + shards)));
     EXPECT_LE(outcome.tangentialImpulse, mu * kStrength + shards)
         << "hit " << i << " at " << angle << " rad, " << speed << " m/s";
     if (hit.normal * kMass > 1.01f * kStrength) {

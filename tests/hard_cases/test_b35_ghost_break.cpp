@@ -5,6 +5,7 @@
 
 #include "engine/core/random.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -110,6 +111,8 @@ TEST(B35, WhatMissesBreaksNothing) {
     if (outcome.broke) ADD_FAILURE() << "broke at a distance of " << graze.distance;
   }
   EXPECT_EQ(ghosts, 0);
+  hard::reportSum("grazes", tried);
+  hard::reportSum("breaks without a touch", ghosts);
   EXPECT_EQ(disturbed, 0) << "worst relative change of velocity " << worst;
 }
 

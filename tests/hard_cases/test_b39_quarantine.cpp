@@ -9,6 +9,7 @@
 #include "engine/core/log.h"
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
+#include "tests/hard_cases/case.h"
 
 namespace brittle::physics {
 namespace {
@@ -95,6 +96,8 @@ TEST(B39, TheBadBodyAloneGoesAndTheOthersNeverNotice) {
 
       int alive = 0;
       for (const BodyHandle box : pile.boxes) alive += struck.isAlive(box) ? 1 : 0;
+      hard::reportSum("faults", 1);
+      hard::reportWorst("bodies lost to one", kBodies - alive);
       EXPECT_EQ(alive, kBodies - 1);
       EXPECT_EQ(struck.stateHash(), reference.stateHash());
       for (int tick = 0; tick < 10; ++tick) {
@@ -103,6 +106,7 @@ TEST(B39, TheBadBodyAloneGoesAndTheOthersNeverNotice) {
         EXPECT_TRUE(struck.events().quarantined.empty());
       }
       EXPECT_EQ(struck.stateHash(), reference.stateHash());
+      hard::reportSum("worlds affected", struck.stateHash() == reference.stateHash() ? 0 : 1);
     }
   }
 }

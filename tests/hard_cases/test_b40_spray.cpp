@@ -14,6 +14,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/hard_cases/case.h"
 #include "tests/hard_cases/spray.h"
 
 namespace brittle::physics {
@@ -79,6 +80,8 @@ TEST_P(B40, NoShardGoesThrough) {
       watch.tick();
     }
     EXPECT_EQ(watch.through(), 0) << speed << " m/s";
+    hard::reportSum("sprays", 1);
+    hard::reportSum("shards through", double(watch.through()));
     EXPECT_GE(watch.struck(), def.plateVelocity.y() <= -speed ? 100u : 200u) << speed << " m/s";
   }
 }
