@@ -5,6 +5,31 @@ namespace brittle::hard {
 namespace {
 
 constexpr Case kCases[] = {
+    // Splitting.
+    {"B1", "random cuts of a cube, 512 pieces a round",
+     "no topology failure; a round's volume within 1e-6; pieces convex within the move distance"},
+    {"B2", "cuts through an existing vertex", "no topology failure; the vertex stands in one child; caps identical"},
+    {"B3", "cuts through an existing edge, also an ulp beside it", "no topology failure; every child has volume"},
+    {"B4", "cuts on the plane of an existing face, either way round", "no topology failure; no empty piece"},
+    {"B5", "slivers of 1e-4 and 1e-6, cut in every direction",
+     "no topology failure; kept and lost volume add up to 1e-6; "
+     "inertia positive definite"},
+    {"B6", "vertices of high degree: cones about axes and on a sphere",
+     "no topology failure; same faces as the exact cutter where signs agree"},
+    {"B7", "mating: both children of a cut", "caps identical bit for bit; the parts add up to the parent"},
+    {"B8", "carving: corner, edge, diagonal and seam hits",
+     "volume kept to 1e-6; each point of the parent in one piece"},
+    {"B9", "micro-shards: 1 mm holes, 500 shards below 1 cm3",
+     "finite; none lighter than allowed or faster than the hit; "
+     "work per shard below twice that of 50"},
+    {"B10", "mass properties against exact integrals", "mass and centre to 1e-6, inertia to 1e-5; children add up"},
+    {"B11", "index limits: a cylinder of 8000 sides", "a typed refusal, the parent untouched"},
+    {"B12", "fracture at 0 to 1e5 m from the origin", "pieces and velocities the same bits"},
+    {"B13", "scales from 1 mm to 100 m", "same topology at powers of two; no topology failure"},
+    {"B14", "the same planes in every order", "the same set of cells; volumes to 1e-6"},
+    {"B15", "connected or not: face, edge, corner, gap, overlap",
+     "one threshold; agrees with the exact test beyond it"},
+    {"B16", "arch, ring, comb, chain of 100; any one removed", "islands as counted independently"},
     // Breaking in the step.
     {"B17", "100 m/s through a 2 cm pane, 64 phases", "v0 - J/M; momentum to 1e-5; energy never rises"},
     {"B18", "a block cut to 100 shards at rest", "below 1e-3 m/s after 1 s; nothing moved by the slop"},
@@ -26,6 +51,9 @@ constexpr Case kCases[] = {
     {"B33", "the same scene twice, and on other builds", "the same hash every tick"},
     {"B34", "sleeping shards hit, undermined, cut off", "what is touched wakes in one step; nothing floats"},
     {"B35", "grazes within the speculative margin", "no break without a touch in 1e4"},
+    {"B36", "distance of slivers, neighbours, deep overlaps",
+     "within 1e-5 of the exact answer; unit normals; ends in time"},
+    {"B37", "what glass looks like", "cracks grow with the square root of speed; tempered: 40 dice per 50 x 50 mm"},
     {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
     {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
     {"B41", "1,000 to 32,000 bodies made and removed", "work per body flat within 1.5; memory returns"},

@@ -71,6 +71,7 @@ macro(brittle_find_packages)
   find_package(GTest REQUIRED)     # tests
   find_package(benchmark REQUIRED) # tools/bench
   find_package(CLI11 REQUIRED)     # command lines with --help: header-only
+  find_library(voro voro++ REQUIRED) # tests alone: another's cutter of convexes, of another kind, to compare ours with
   pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)          # off-screen contexts without a display
   pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)    # off-screen contexts without EGL
   pkg_check_modules(gles REQUIRED IMPORTED_TARGET glesv2)      # GLES 3 headers (functions are loaded at run time)

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/core/hash.h"
+#include "engine/core/random.h"
 #include "engine/geometry/make.h"
 
 namespace brittle::fracture {
@@ -25,6 +26,12 @@ double volumeOf(const geometry::ConvexView& convex) {
     }
   }
   return sixfold / 6.0;
+}
+
+bool isInside(const geometry::ConvexView& convex, const Vec3& point, float margin) {
+  for (const geometry::Face& face : convex.faces)
+    if (face.plane.distance(point) > margin) return false;
+  return true;
 }
 
 struct Hasher {
@@ -134,6 +141,26 @@ void expectSound(const Scene& scene, const Fracture& made) {
     EXPECT_NEAR(pair.normal.norm(), 1.0f, 1e-5f);
     EXPECT_GE(pair.pointCount, 3u);
   }
+}
+
+void expectPartition(const Scene& scene, const Fracture& made, const Vec3& half, int samples) {
+  Random random(7);
+  int onBorders = 0;
+  for (int i = 0; i < samples; ++i) {
+    Vec3 point;
+    for (int k = 0; k < 3; ++k) point[k] = half[k] * random.nextFloat(-1.0f, 1.0f);
+    int strictly = 0, loosely = 0;
+    for (const Piece& piece : made.pieces) {
+      const geometry::ConvexView view = viewOf(scene, made, piece);
+      if (!isInside(view, point, 2e-6f)) continue;
+      ++loosely;
+      strictly += isInside(view, point, -2e-6f) ? 1 : 0;
+    }
+    ASSERT_LE(strictly, 1) << "two pieces overlap at " << point.transpose();
+    ASSERT_GE(loosely, 1) << "a gap at " << point.transpose();
+    onBorders += strictly == 0 ? 1 : 0;
+  }
+  EXPECT_LT(onBorders, samples / 100);
 }
 
 std::uint64_t hashOf(const Fracture& made) {

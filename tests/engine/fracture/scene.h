@@ -36,6 +36,13 @@ geometry::ConvexView viewOf(const Scene& scene, const Fracture& made, const Piec
 /// Volumes add up, every piece is a valid convex, groups and neighbours are consistent. Uses gtest expectations.
 void expectSound(const Scene& scene, const Fracture& made);
 
+/// Each of so many random points of the box `half` lies in exactly one piece: in none that is farther than 2e-6 m away,
+/// in one that is as near.
+void expectPartition(const Scene& scene, const Fracture& made, const Vec3& half, int samples);
+
+/// What the test program has allocated so far, in number.
+std::size_t allocationCount();
+
 /// Of everything in the result, bit for bit.
 std::uint64_t hashOf(const Fracture& made);
 

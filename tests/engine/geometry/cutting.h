@@ -15,7 +15,15 @@
 
 namespace brittle::geometry {
 
-enum class CutMode { AtRandom, ThroughVertex, ThroughEdge, OnFace };
+enum class CutMode {
+  AtRandom,
+  ThroughVertex,
+  ThroughEdge,
+  OnFace,        // of any piece, either way round, bit for bit
+  BesideEdge,    // through an edge, but for one unit in the last place of the offset or of the cube's size
+  OnFaceAfresh,  // of any piece, either way round, computed again from three of its corners
+};
+/// The four that differ in kind; the other two vary the last two.
 inline constexpr CutMode kCutModes[] = {CutMode::AtRandom, CutMode::ThroughVertex, CutMode::ThroughEdge,
                                         CutMode::OnFace};
 inline constexpr const char* kCutModeNames[] = {"random", "vertex", "edge", "face"};
@@ -81,6 +89,10 @@ class CutCube {
 
   static S dotOf(const Vec3T<S>& a, const Vec3T<S>& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
 
+  static Vec3T<S> crossOf(const Vec3T<S>& a, const Vec3T<S>& b) {
+    return Vec3T<S>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  }
+
   Vec3T<S> drawDirection() {
     for (;;) {
       Vec3T<S> direction = drawVector();
@@ -89,9 +101,10 @@ class CutCube {
   }
 
   PlaneT<S> choosePlane() {
-    if (mode_ == CutMode::OnFace) {
+    if (mode_ == CutMode::OnFace || mode_ == CutMode::OnFaceAfresh) {
       const ConvexT<S>& other = pieces_[random.nextBelow(static_cast<std::uint32_t>(count_))];
-      const PlaneT<S> found = other.faces[random.nextBelow(static_cast<std::uint32_t>(other.faces.size()))].plane;
+      const FaceT<S>& face = other.faces[random.nextBelow(static_cast<std::uint32_t>(other.faces.size()))];
+      const PlaneT<S> found = mode_ == CutMode::OnFace ? face.plane : throughCorners(other.view(), face);
       // Few planes are shared by chance: every fourth cut is fresh, so that there are pieces to cut.
       const std::uint32_t kind = random.nextBelow(4);
       if (kind != 0) return kind == 1 ? found.flipped() : found;
@@ -100,12 +113,12 @@ class CutCube {
     const Vec3T<S> start = parent.view().startOf(edge);
     const Vec3T<S> end = parent.view().endOf(edge);
     Vec3T<S> normal = drawDirection();
-    if (mode_ == CutMode::ThroughEdge) {
+    if (mode_ == CutMode::ThroughEdge || mode_ == CutMode::BesideEdge) {
       const Vec3T<S> along(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
-      Vec3T<S> across(along[1] * normal[2] - along[2] * normal[1], along[2] * normal[0] - along[0] * normal[2],
-                      along[0] * normal[1] - along[1] * normal[0]);
+      Vec3T<S> across = crossOf(along, normal);
       if (normalize(across)) normal = across;
     }
+    if (mode_ == CutMode::BesideEdge) return {normal, beside(dotOf(normal, start))};
     if (mode_ == CutMode::ThroughVertex || mode_ == CutMode::ThroughEdge) return {normal, jitter(dotOf(normal, start))};
     float low = static_cast<float>(dotOf(normal, start));
     float high = low;
@@ -115,6 +128,28 @@ class CutCube {
       high = maxOf(high, along);
     }
     return {normal, S(random.nextFloat(low, high))};
+  }
+
+  /// As a splitter that stores no planes would have it; the stored one for a face without area.
+  static PlaneT<S> throughCorners(const ConvexViewT<S>& convex, const FaceT<S>& face) {
+    const Edge& second = convex.edges[convex.edges[face.edge].next];
+    const Vec3T<S>& a = convex.startOf(face.edge);
+    const Vec3T<S>& b = convex.vertices[second.vertex].point;
+    const Vec3T<S>& c = convex.startOf(second.next);
+    Vec3T<S> normal =
+        crossOf(Vec3T<S>(b[0] - a[0], b[1] - a[1], b[2] - a[2]), Vec3T<S>(c[0] - a[0], c[1] - a[1], c[2] - a[2]));
+    if (!normalize(normal)) return face.plane;
+    return {normal, dotOf(normal, a)};
+  }
+
+  /// The offset's neighbours among floats, or one unit of the grid of the cube's coordinates, either way.
+  S beside(const S& offset) {
+    const std::uint32_t kind = random.nextBelow(4);
+    if constexpr (!std::numeric_limits<S>::is_exact) {
+      if (kind < 2) return std::nextafter(offset, kind == 0 ? S(8) : S(-8));
+      return offset + (kind == 2 ? S(0x1p-24) : S(-0x1p-24));
+    }
+    return offset;
   }
 
   /// The offset itself, or its neighbour among floats on either side.

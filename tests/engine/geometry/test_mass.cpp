@@ -72,7 +72,7 @@ class MassModes : public ::testing::TestWithParam<CutMode> {};
 
 TEST_P(MassModes, AgreesWithExactIntegrals) {
   CutCube<float> cube(GetParam(), 61);
-  for (int attempt = 0; attempt < 1500; ++attempt) {
+  for (int attempt = 0; attempt < 300; ++attempt) {
     if (cube.step() != SplitOutcome::Split) continue;
     const MassProperties mass = massOf(cube.above.view());
     const MassPropertiesT<Exact> exact = massOf(exactOf(cube.above).view());
@@ -89,7 +89,7 @@ TEST_P(MassModes, AgreesWithExactIntegrals) {
 
 TEST_P(MassModes, IsThatOfABodyForEveryPiece) {
   CutCube<float> cube(GetParam(), 62);
-  for (int attempt = 0; attempt < 200000; ++attempt) {
+  for (int attempt = 0; attempt < 20000; ++attempt) {
     if (cube.step() != SplitOutcome::Split) continue;
     for (const Convex* piece : {&cube.above, &cube.below}) {
       const MassProperties mass = massOf(piece->view());

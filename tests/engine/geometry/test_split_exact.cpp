@@ -1,8 +1,6 @@
 // The splitter against itself with exact rationals: the same code, with no rounding to blame.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "tests/engine/geometry/cutting.h"
 #include "tests/engine/geometry/exact.h"
 
@@ -48,19 +46,6 @@ TEST_P(SplitExactly, SignsAreWrongOnlyWithinRounding) {
   if (GetParam() == CutMode::ThroughEdge) {
     EXPECT_GT(wrong, 100);
   }
-}
-
-bool isSameTopology(const Convex& a, const ConvexT<Exact>& b) {
-  return a.edges.size() == b.edges.size() &&
-         std::memcmp(a.edges.data(), b.edges.data(), a.edges.size() * sizeof(Edge)) == 0;
-}
-
-bool agreesOnSigns(const Convex& a, const ConvexT<Exact>& b, const Plane& plane) {
-  const PlaneT<Exact> exactPlane = exactOf(plane);
-  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-    if ((plane.distance(a.vertices[i].point) < 0.0f) != (exactPlane.distance(b.vertices[i].point) < 0)) return false;
-  }
-  return true;
 }
 
 // Both are cut by the same planes, float corners against exact ones: same signs, same mesh, nearly the same corners.

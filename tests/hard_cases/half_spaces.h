@@ -1,0 +1,58 @@
+// hard_cases/half_spaces.h - a cell of half-spaces as another library cuts it: Voro++, in double, by vertices and
+// orders of its own. Source: Rycroft, Voro++: A Three-Dimensional Voronoi Cell Library in C++, 2009.
+#pragma once
+
+#include <span>
+#include <voro++/voro++.hh>
+
+#include "tests/engine/geometry/cutting.h"
+
+namespace brittle::geometry {
+
+/// Smallest face that is counted [m2]: below, what is an edge to one cutter may be a sliver to another.
+inline constexpr double kLeastFace = 1e-7;
+
+struct OtherCell {
+  double volume = 0.0;  // [m3]
+  int faces = 0;        // larger than kLeastFace
+};
+
+/// The part of a box about the origin that lies below all planes and holds `inside`.
+inline OtherCell otherCell(const Vec3d& half, const Vec3d& inside, std::span<const Plane> planes) {
+  voro::voronoicell cell;
+  const Vec3d low = -half - inside, high = half - inside;
+  cell.init(low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+  for (const Plane& plane : planes) {
+    const Vec3d normal = plane.normal.cast<double>();
+    cell.plane(normal.x(), normal.y(), normal.z(), 2.0 * (static_cast<double>(plane.offset) - normal.dot(inside)));
+  }
+  OtherCell found;
+  found.volume = cell.volume();
+  std::vector<double> areas;
+  cell.face_areas(areas);
+  for (const double area : areas) found.faces += area > kLeastFace ? 1 : 0;
+  return found;
+}
+
+/// Area of a face. [m2]
+template <class S>
+double areaOf(const ConvexT<S>& convex, const FaceT<S>& face) {
+  const auto at = [&](std::uint32_t edge) {
+    const Vec3T<S>& point = convex.view().startOf(edge);
+    return Vec3d(static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]));
+  };
+  const Vec3d origin = at(face.edge);
+  Vec3d twice = Vec3d::Zero();
+  for (std::uint32_t edge = convex.edges[face.edge].next; edge != face.edge; edge = convex.edges[edge].next)
+    twice += (at(edge) - origin).cross(at(convex.edges[edge].next) - origin);
+  return 0.5 * twice.norm();
+}
+
+template <class S>
+int facesOf(const ConvexT<S>& convex) {
+  int count = 0;
+  for (const FaceT<S>& face : convex.faces) count += areaOf(convex, face) > kLeastFace ? 1 : 0;
+  return count;
+}
+
+}  // namespace brittle::geometry
