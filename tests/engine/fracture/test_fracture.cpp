@@ -2,30 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <set>
 
 #include "engine/core/random.h"
 #include "engine/geometry/make.h"
 #include "tests/engine/fracture/scene.h"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-// Counts what the program allocates, for the claim that a warm breaking allocates nothing.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace brittle::fracture {
 namespace {
@@ -304,9 +285,9 @@ TEST(Fracture, AWarmBreakingAllocatesNothing) {
     }
   };
   for (std::uint64_t seed = 0; seed < 40; ++seed) breakAll(seed);
-  const std::size_t before = allocations;
+  const std::size_t before = allocationCount();
   for (std::uint64_t seed = 0; seed < 40; ++seed) breakAll(seed);
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocationCount(), before);
 }
 
 }  // namespace
