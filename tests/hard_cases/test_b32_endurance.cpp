@@ -8,7 +8,7 @@
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
 #include "tests/hard_cases/case.h"
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 
 namespace brittle::physics {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/engine/physics/scene.h"
 #include "tests/hard_cases/case.h"
 #include "tests/hard_cases/work.h"
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 
 namespace brittle::physics {
 namespace {

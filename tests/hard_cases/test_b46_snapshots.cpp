@@ -11,7 +11,7 @@
 #include "engine/core/random.h"
 #include "game/content/asset_source.h"
 #include "tests/hard_cases/case.h"
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 #include "tools/brittle/game.h"
 
 namespace brittle::program {

@@ -3,7 +3,7 @@
 // with the state hash it ended with.
 #include <algorithm>
 
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 #include "tools/bench/scene.h"
 
 namespace {

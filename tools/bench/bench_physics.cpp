@@ -2,7 +2,7 @@
 // allocations per tick where that is the claim.
 #include <benchmark/benchmark.h>
 
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 #include "tools/bench/scene.h"
 
 namespace {

@@ -33,7 +33,4 @@ inline VoiceDef voiceOf(Sound sound, std::uint32_t variation = 0, float gain = 1
   return def;
 }
 
-/// Of the whole program so far.
-std::size_t allocationCount();
-
 }  // namespace brittle::audio

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/core/random.h"
+#include "tests/allocations.h"
 #include "tests/engine/audio/measure.h"
 #include "tests/engine/audio/scene.h"
 

@@ -40,9 +40,6 @@ void expectSound(const Scene& scene, const Fracture& made);
 /// in one that is as near.
 void expectPartition(const Scene& scene, const Fracture& made, const Vec3& half, int samples);
 
-/// What the test program has allocated so far, in number.
-std::size_t allocationCount();
-
 /// Of everything in the result, bit for bit.
 std::uint64_t hashOf(const Fracture& made);
 

@@ -6,6 +6,7 @@
 
 #include "engine/core/random.h"
 #include "engine/geometry/make.h"
+#include "tests/allocations.h"
 #include "tests/engine/fracture/scene.h"
 
 namespace brittle::fracture {

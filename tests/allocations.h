@@ -1,4 +1,4 @@
-// tools/bench/allocations.h - how many times the program has asked for memory, and how much of it it has: a warm tick
+// tests/allocations.h - how many times the program has asked for memory, and how much of it it has: a warm tick
 // should ask for none, a world that goes on should not grow.
 #pragma once
 

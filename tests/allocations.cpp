@@ -1,6 +1,6 @@
 // Replaces the global allocation functions by counting ones. In a file of its own, so that the compiler does not see
 // through the pair at its uses. (Arrays come this way too.)
-#include "tools/bench/allocations.h"
+#include "tests/allocations.h"
 
 #include <malloc.h>
 
