@@ -129,5 +129,17 @@ TEST(World, TheSameSceneGivesTheSameHashesAndARestoredOneGoesOnAlike) {
   EXPECT_GT(a.counters().totalBreaks, 0u);
 }
 
+TEST(World, ShardsOfATenthOfAMillimetreTurnLikeLargeOnes) {
+  for (const float half : {5e-5f, 1e-3f, 1.0f}) {
+    World world;
+    const BodyHandle shard = addBox(world, bodyAt(Vec3::Zero()), Vec3(half, half, half), shapeDef(2500.0f));
+    const Body& body = world.body(shard);
+    const Mat3 product = body.localInertia * body.localInvInertia;
+    EXPECT_LT((product - Mat3::Identity()).norm(), 1e-5f) << half;
+    world.step(kTick);
+    EXPECT_TRUE(world.isAlive(shard)) << half;  // what has no usable inverse is quarantined
+  }
+}
+
 }  // namespace
 }  // namespace brittle::physics
