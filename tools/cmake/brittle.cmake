@@ -28,6 +28,9 @@ function(brittle_library folder)
   endforeach()
 endfunction()
 
+# What a test spends its time in is the library it tests; the tests themselves are two fifths of the build at -O2.
+set(BRITTLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # Precompiled: the standard library, Eigen, and for tests GoogleTest; never a header of ours.
 function(brittle_precompile target)
   cmake_parse_arguments(ARG "TEST" "" "" ${ARGN})
@@ -48,6 +51,9 @@ function(brittle_precompile target)
   endif()
   target_link_libraries(${target} PRIVATE ${libraries})
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
+  if(ARG_TEST)
+    target_compile_options(${target} PRIVATE ${BRITTLE_TEST_OPTIONS})
+  endif()
 endfunction()
 
 # A header-only package in /usr/include: a cross compiler must not see the rest of that folder, so it gets a folder of its own.
@@ -85,9 +91,6 @@ macro(brittle_find_packages)
   target_include_directories(brittle_gles_headers SYSTEM INTERFACE ${gles_INCLUDE_DIRS})
 endmacro()
 
-# What a test spends its time in is the library it tests; the tests themselves are two fifths of the build at -O2.
-set(BRITTLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
-
 # One test program per folder: tests/FOLDER/test_*.cpp. Further arguments: what it links beside the folder's own library.
 # A suite whose name ends in Long takes minutes: FOLDER/long, labelled `long`, runs those, and only `tools/test --full` runs it.
 function(brittle_test folder)
@@ -98,7 +101,6 @@ function(brittle_test folder)
   string(REPLACE "/" "_" name ${folder})
   add_executable(test_${name} ${sources})
   brittle_precompile(test_${name} TEST)
-  target_compile_options(test_${name} PRIVATE ${BRITTLE_TEST_OPTIONS})
   target_compile_definitions(test_${name} PRIVATE BRITTLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BRITTLE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   target_link_libraries(test_${name} PRIVATE GTest::gtest_main GTest::gmock ${ARGN})
   add_test(NAME ${folder} COMMAND test_${name} --gtest_filter=-*Long.*:*Long/* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
@@ -111,10 +113,15 @@ function(brittle_test folder)
   endforeach()
 endfunction()
 
-# One program per folder of tools/: every .cpp in it, linked with the libraries named.
+# One program per folder of tools/: every .cpp in it, linked with the libraries named. TEST: its sources are tests.
 function(brittle_program name)
+  cmake_parse_arguments(ARG "TEST" "" "" ${ARGN})
+  set(kind)
+  if(ARG_TEST)
+    set(kind TEST)
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/${name}/*.cpp)
   add_executable(${name} ${sources})
-  brittle_precompile(${name})
-  target_link_libraries(${name} PRIVATE ${ARGN})
+  brittle_precompile(${name} ${kind})
+  target_link_libraries(${name} PRIVATE ${ARG_UNPARSED_ARGUMENTS})
 endfunction()
