@@ -10,7 +10,7 @@ throw{tick=316, x=0.299, y=-0.069}    -- a crystal
 throw{tick=349, x=-0.300, y=-0.003}   -- a crystal
 throw{tick=480, x=-0.244, y=0.035}    -- a pane on ropes
 throw{tick=489, x=0.318, y=-0.142}    -- a crystal
-throw{tick=518, x=0.020, y=-0.021}    -- a pane on ropes
+throw{tick=518, x=0.030, y=-0.021}    -- a pane on ropes
 throw{tick=556, x=0.244, y=0.036}     -- a pane on ropes
 throw{tick=654, x=0.000, y=-0.010}    -- the bars
 throw{tick=687, x=0.000, y=-0.203}    -- a crystal

@@ -7,8 +7,12 @@
 namespace brittle::physics {
 namespace {
 
-constexpr float kRestSpeed = 0.05f;       // [m/s] of the farthest point; chosen by eye: below, motion is not seen
-constexpr std::uint32_t kRestTicks = 30;  // half a second at 60 Hz
+constexpr float kRestSpeed = 0.05f;  // [m/s] of the farthest point; chosen by eye: below, motion is not seen
+// How long it must be at rest, at 60 Hz. Measured: 400 shards thrown onto a plate then cost 1.4 times what 400 cost
+// that fly, against 1.7 times with twice as long. What hangs is slow at the end of each swing as well, and takes
+// longer.
+constexpr std::uint32_t kStandingTicks = 15;
+constexpr std::uint32_t kHangingTicks = 30;
 
 float surfaceSpeed(const Body& body) {
   return body.velocity.norm() + body.angularVelocity.norm() * body.radius;
@@ -19,23 +23,34 @@ bool isMoving(const Body& body) {
   return surfaceSpeed(body) > (body.isDynamic() ? kRestSpeed : 0.0f);
 }
 
-bool isSupported(const State& state, const Body& body) {
-  if (state.gravity.isZero() || body.gravityScale == 0.0f) return true;
-  bool supported = false;
+enum class Support { None, Standing, Hanging };
+
+bool touchesAnything(const State& state, const Body& body) {
+  bool touches = false;
   forEachShape(state, body, [&](ShapeHandle, const Shape& shape) {
     forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t) {
-      supported = supported || state.contacts.at(slot).touching;
-      return !supported;
+      touches = touches || state.contacts.at(slot).touching;
+      return !touches;
     });
   });
-  if (supported) return true;
+  return touches;
+}
+
+bool isJointed(const State& state, BodyHandle handle) {
+  bool jointed = false;
   state.joints.forEach([&](JointHandle, const Joint& joint) {
     const Shape* a = state.shapes.find(joint.a);
     const Shape* b = state.shapes.find(joint.b);
-    supported = supported || (a != nullptr && a->body == state.shapes[body.firstShape].body) ||
-                (b != nullptr && b->body == state.shapes[body.firstShape].body);
+    jointed = jointed || (a != nullptr && a->body == handle) || (b != nullptr && b->body == handle);
   });
-  return supported;
+  return jointed;
+}
+
+Support supportOf(const State& state, BodyHandle handle) {
+  const Body& body = state.bodies[handle];
+  if (touchesAnything(state, body)) return Support::Standing;
+  const bool isWeightless = state.gravity.isZero() || body.gravityScale == 0.0f;
+  return isWeightless || isJointed(state, handle) ? Support::Hanging : Support::None;
 }
 
 void putToRest(Body& body) {
@@ -98,15 +113,19 @@ void wakeTouching(State& state, ShapeHandle first) {
 void deactivate(State& state, float dt) {
   BR_ZONE("deactivate");
   wakeTouchedByMotion(state);
-  const float dtRatio = dt * 60.0f;
-  const auto ticksNeeded = static_cast<std::uint32_t>(static_cast<float>(kRestTicks) / maxOf(dtRatio, 0.01f));
-  state.bodies.forEach([&](BodyHandle, Body& body) {
+  const float perTick = 1.0f / maxOf(dt * 60.0f, 0.01f);
+  const auto standingTicks = static_cast<std::uint32_t>(static_cast<float>(kStandingTicks) * perTick);
+  const auto hangingTicks = static_cast<std::uint32_t>(static_cast<float>(kHangingTicks) * perTick);
+  state.bodies.forEach([&](BodyHandle handle, Body& body) {
     if (!body.isDynamic() || !body.awake) return;
     if (surfaceSpeed(body) > kRestSpeed) {
       body.restTicks = 0;
-    } else if (++body.restTicks >= ticksNeeded && isSupported(state, body)) {
-      putToRest(body);
+      return;
     }
+    if (++body.restTicks < standingTicks) return;
+    const Support support = supportOf(state, handle);
+    const bool rests = support == Support::Standing || (support == Support::Hanging && body.restTicks >= hangingTicks);
+    if (rests) putToRest(body);
   });
 }
 

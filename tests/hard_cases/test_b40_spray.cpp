@@ -4,10 +4,10 @@
 //
 // What it may cost: with the plate at most 1.5 times the instructions of the same spray without. Measured over the
 // first 60 ticks, static plate of 2 cm (the command is in tools/bench/bench_spray.cpp), in million instructions a tick:
-//   15 m/s: 8.6 without, 14.4 with, 1.68 times; 60 m/s: 9.7, 15.2, 1.57 times; 120 m/s: 10.5, 15.5, 1.48 times.
-// Held at 120 m/s, then, and missed below. What costs is the heap that lies on the plate, which flies apart without
-// one: at 60 m/s it has 2600 points, nearly four a contact. Finding them is the largest part, half of it the distance
-// of pairs; then come solving, pushing apart and preparing the rows.
+//   15 m/s: 8.6 without, 11.8 with, 1.38 times; 60 m/s: 9.7, 12.8, 1.32 times; 120 m/s: 10.5, 13.0, 1.24
+// times.
+// What costs is the heap that lies on the plate, which flies apart without one: at 60 m/s it has 2600 points a tick
+// until its shards come to rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>

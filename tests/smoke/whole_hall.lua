@@ -8,7 +8,7 @@ throw{tick=185, x=0.000, y=-0.010}
 throw{tick=283, x=-0.298, y=-0.134}
 throw{tick=316, x=0.299, y=-0.069}
 throw{tick=349, x=-0.300, y=-0.003}
-throw{tick=480, x=-0.244, y=0.035}
+throw{tick=480, x=-0.240, y=0.035}
 throw{tick=489, x=0.318, y=-0.142}
 throw{tick=518, x=0.020, y=-0.021}
 throw{tick=536, x=0.000, y=-0.015}
