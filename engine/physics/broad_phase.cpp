@@ -155,8 +155,9 @@ void DynamicTree::swapDown(std::uint32_t top, int side, int grandchild) {
   refit(top);
 }
 
-/// One rotation: forced where the heights differ too much (the taller grandchild goes up), else the exchange of a child
-/// with a grandchild that saves the most area, as long as no height and no balance changes for the worse.
+/// One rotation, forced where the heights differ too much (the taller grandchild goes up, and where that leaves the
+/// lower node out of balance, one there too), else the exchange of a child with a grandchild that saves the most area,
+/// as long as no height and no balance changes for the worse.
 void DynamicTree::rotate(std::uint32_t index) {
   const Node& node = nodes_[index];
   const std::int32_t heights[2] = {nodes_[node.child[0]].height, nodes_[node.child[1]].height};

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/core/archive.h"
+#include "engine/core/slot_pool.h"
 #include "engine/physics/ids.h"
 #include "engine/physics/manifold.h"
 
@@ -13,6 +14,7 @@ namespace brittle::physics {
 /// A world holds no more contacts, since shapes on one spot have as many as the square of their number; pairs found
 /// later get none. Chosen: 22 MB, and not twice the 35165 of the tests' most crowded scene, a pile of 1000 boxes.
 inline constexpr std::size_t kMaxContacts = 65'536;
+static_assert(kMaxContacts <= kMostRestoredSlots, "a world that was saved must be restored");
 
 struct Contact {
   ShapeHandle a, b;

@@ -23,6 +23,7 @@ bool isMoving(const Body& body) {
   return surfaceSpeed(body) > (body.isDynamic() ? kRestSpeed : 0.0f);
 }
 
+/// Standing: touches anything at all. Hanging: by a joint, or weightless.
 enum class Support { None, Standing, Hanging };
 
 bool touchesAnything(const State& state, const Body& body) {

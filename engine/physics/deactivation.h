@@ -6,7 +6,8 @@
 
 namespace brittle::physics {
 
-/// Puts bodies to rest that were slow and supported for half a second, wakes what is touched by something moving.
+/// Puts bodies to rest that were slow for a quarter of a second and stand on something, or for half of one and hang (by
+/// joints, or without weight); wakes what is touched by something moving.
 void deactivate(State& state, float dt);
 
 void wakeBody(State& state, BodyHandle body);

@@ -1,8 +1,8 @@
-// physics/point_lanes.h - the points of one manifold side by side, one a lane: what collision, solver preparation and
-// position correction ask of every point is asked of all four at once. Lanes beyond the manifold's count hold whatever
-// stands there.
+// physics/point_lanes.h - the points of one manifold side by side, one a lane: what collision and solver preparation
+// ask of every point is asked of all four at once. Lanes beyond the manifold's count hold whatever stands there.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 
 #include "engine/math/simd.h"
@@ -12,6 +12,8 @@
 namespace brittle::physics {
 
 static_assert(kMaxPoints == kLanes && sizeof(ManifoldPoint) == 2 * sizeof(Float4));
+static_assert(offsetof(ManifoldPoint, localB) == 12 && offsetof(ManifoldPoint, separation) == 24 &&
+              offsetof(ManifoldPoint, normalImpulse) == 28);
 
 inline Wide3<Float4> splat(const Vec3& v) {
   return {brittle::splat(v.x()), brittle::splat(v.y()), brittle::splat(v.z())};

@@ -1,7 +1,6 @@
-// physics/strikes.h - who strikes what breakable body, what it may spend, and in which order. A strike may spend at
-// most what is left of the strength J over all its contact points, rounds and sub-steps of 1/60 s; when that does not
-// stop it, the body breaks. First reached, first broken. Knows velocities and budgets; the breaking itself is
-// breakage's.
+// physics/strikes.h - who strikes what breakable body, and what it may spend. A strike may spend at most what is left
+// of the strength J over all its contact points, rounds and sub-steps of 1/60 s; when that does not stop it, the body
+// breaks. What was spent is kept by budgets.h, who gets there first is found by arrivals.h, the breaking is breakage's.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +51,7 @@ struct StrikeCandidate {
   }
 };
 
-/// A strike whose swept body gets there within the tick.
+/// Scratch of arrivals: a strike whose swept body gets there within the tick.
 struct Arrival {
   std::uint32_t strike = 0;  // index into Strikes::list
   BodyHandle body;

@@ -107,6 +107,8 @@ class World {
 
   /// Everything the next step reads, and nothing else, in 64 bits.
   std::uint64_t stateHash() const;
+  /// A world of more than kMostRestoredSlots (core/slot_pool.h) bodies, shapes or joints is written, but not read
+  /// again.
   void save(ByteWriter& out) const;
   /// False, and the world unchanged, if the bytes are not a snapshot of this version.
   bool restore(ByteReader& in);

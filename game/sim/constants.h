@@ -116,10 +116,11 @@ inline constexpr std::uint32_t kMaxObstaclesPerRoom = 500;
 inline constexpr std::uint32_t kMaxBodiesPerRoom = 1500;      // of the obstacles that are alive
 inline constexpr std::uint32_t kMaxShapesPerRoom = 3000;      // too
 inline constexpr std::uint32_t kMaxContactsPerRoom = 16'000;  // 5 microseconds a tick each
-inline constexpr std::int64_t kRoomInstructions = 2'000'000;  // of all its obstacles' scripts in a tick: 10 ms
-inline constexpr std::int64_t kStartPrice = 20'000;           // of an obstacle, in instructions: its sandbox is made
+inline constexpr std::int64_t kRoomInstructions =
+    2'000'000;  // of all its obstacles' scripts, for starting, tick() and draw() each: 10 ms
+inline constexpr std::int64_t kStartPrice = 20'000;  // of an obstacle, in instructions: its sandbox is made
 
 inline constexpr std::size_t kMaxContent = 64u << 20;  // of all files a game reads [bytes]; the shipped ones: 140 kB
-inline constexpr std::uint32_t kMaxProblems = 256;     // kept; the rest is counted
+inline constexpr std::uint32_t kMaxProblems = 256;     // kept; more are not said
 
 }  // namespace brittle::sim::rules

@@ -171,8 +171,12 @@ void placeBoxes(Session& session, const std::string& name, const content::Segmen
                 const std::string& where, RoomPlan& plan) {
   const std::size_t things = segment.boxes.size() + segment.decals.size() + segment.obstacles.size();
   if (!admits(session, plan, things, where)) return;
-  for (const content::Box& box : segment.boxes)
-    if (!box.hidden && !admitAt(session, plan, start - box.position.z(), box.halfExtents.z(), where)) return;
+  const auto crowdBefore = plan.crowd;
+  for (const content::Box& box : segment.boxes) {
+    if (box.hidden || admitAt(session, plan, start - box.position.z(), box.halfExtents.z(), where)) continue;
+    plan.crowd = crowdBefore;  // all of a segment or nothing
+    return;
+  }
   plan.boxes += static_cast<std::uint32_t>(things);
   PlannedSegment placed;
   placed.start = start;

@@ -1,5 +1,5 @@
 // Any bytes as a room's script, in a level with one segment: the game starts or says why not, plays, can be saved and
-// taken up again, and ends within its budgets.
+// taken up again (a game whose script made functions while it ran says no instead).
 #include <string>
 
 #include "engine/core/assert.h"

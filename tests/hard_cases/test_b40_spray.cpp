@@ -4,8 +4,10 @@
 //
 // What it may cost: with the plate at most 1.5 times the instructions of the same spray without. Measured over the
 // first 60 ticks, static plate of 2 cm (the command is in tools/bench/bench_spray.cpp), in million instructions a tick:
-//   15 m/s: 8.6 without, 11.8 with, 1.38 times; 60 m/s: 9.7, 12.8, 1.32 times; 120 m/s: 10.5, 13.0, 1.24
-// times.
+//   15 m/s: 8.6 without, 11.8 with, 1.38 times
+//   60 m/s: 9.7 without, 12.8 with, 1.32 times
+//   120 m/s: 10.5 without, 13.0 with, 1.24 times
+// Instructions are not counted here, but what they go into is: ways searched, and contact points that are solved.
 // What costs is the heap that lies on the plate, which flies apart without one: at 60 m/s it has 2600 points a tick
 // until its shards come to rest.
 #include <gtest/gtest.h>
@@ -98,20 +100,18 @@ INSTANTIATE_TEST_SUITE_P(Plates, B40,
                                                           Motion{BodyType::Dynamic, Vec3(0.0f, 20.0f, 0.0f)}),
                                           testing::Values(0.02f, 0.1f)));
 
-TEST(B40Cost, FewWaysAreSearchedAndTheHeapIsWhatTheRestIs) {
-  std::uint64_t sweeps[2] = {0, 0}, points[2] = {0, 0};
-  for (const bool plate : {false, true}) {
-    SprayDef def;
-    if (!plate) def.plateCenter = Vec3(0.0f, 1000.0f, 0.0f);
-    Spray spray(def);
-    for (int tick = 0; tick < 60; ++tick) {
-      spray.step();
-      sweeps[plate] += spray.world.counters().sweeps;
-      points[plate] += spray.world.counters().points;
-    }
+TEST(B40Cost, FewWaysAreSearchedAndTheHeapComesToRest) {
+  std::uint64_t sweeps = 0, points = 0;
+  Spray spray(SprayDef{});
+  for (int tick = 0; tick < 60; ++tick) {
+    spray.step();
+    sweeps += spray.world.counters().sweeps;
+    points += spray.world.counters().points;
   }
-  EXPECT_LE(sweeps[true], 60u * kSprayShards / 4);  // one shard in four and tick
-  EXPECT_GE(points[true], 10u * points[false]);
+  EXPECT_LE(sweeps, 60u * kSprayShards / 4);  // one shard in four and tick
+  EXPECT_LE(points, 60u * 3000u);             // until its shards rest
+  hard::reportWorst("a tick: ways searched", static_cast<double>(sweeps) / 60.0);
+  hard::reportWorst("points", static_cast<double>(points) / 60.0);
 }
 
 }  // namespace

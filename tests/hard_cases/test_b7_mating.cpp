@@ -8,6 +8,7 @@
 // So a cut is held to 1e-6 of the cube, and to 1e-6 of the piece and 2^-20 of its extent and 2^-23 m times its surface.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "tests/engine/geometry/exact.h"
@@ -88,6 +89,21 @@ TEST_P(B7, EveryPointOfTheCubeIsInOnePiece) {
   hard::reportSum("points, each in one piece", points);
 }
 
+/// Places that are corners of one and lie on the other: of pieces that meet in an edge two, in an area three or more.
+std::size_t sharedCorners(const Convex& a, const Convex& b) {
+  std::vector<Vec3> places;
+  const auto add = [&](const Convex& of, const Convex& on) {
+    for (const Vertex& vertex : of.vertices) {
+      const auto isSamePlace = [&](const Vec3& place) { return (place - vertex.point).norm() < 4e-6f; };
+      if (contains(on, vertex.point, 2e-6f) && std::none_of(places.begin(), places.end(), isSamePlace))
+        places.push_back(vertex.point);
+    }
+  };
+  add(a, b);
+  add(b, a);
+  return places.size();
+}
+
 /// Whose caps came from one cut share some of it: pieces of a cut cube make one component.
 TEST_P(B7, PiecesMakeOneComponent) {
   CutCube<float> cube(GetParam(), 73, 64);
@@ -100,10 +116,7 @@ TEST_P(B7, PiecesMakeOneComponent) {
   };
   for (std::size_t a = 0; a < cube.count(); ++a)
     for (std::size_t b = a + 1; b < cube.count(); ++b) {
-      int shared = 0;  // corners of a that lie on b: three in a cut's plane are an area
-      for (const Vertex& vertex : cube.piece(a).vertices) shared += contains(cube.piece(b), vertex.point, 2e-6f);
-      for (const Vertex& vertex : cube.piece(b).vertices) shared += contains(cube.piece(a), vertex.point, 2e-6f);
-      if (shared >= 3) root[find(a)] = find(b);
+      if (sharedCorners(cube.piece(a), cube.piece(b)) >= 3) root[find(a)] = find(b);
     }
   std::size_t components = 0;
   for (std::size_t i = 0; i < cube.count(); ++i) components += find(i) == i ? 1 : 0;

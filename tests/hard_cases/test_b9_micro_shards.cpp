@@ -4,9 +4,7 @@
 // timed: pairs tested and contact points solved, which is what a step's instructions are spent on (the same under
 // `valgrind --tool=callgrind build/tools/hard_cases B9`).
 //
-// Not below: an inertia is inverted in floats through its determinant, so a body whose moments are under 1e-13 kg m2 (a
-// bead of glass of 0.5 mm, a shard of 1e-10 m3) has an infinite inverse and is not finite from its first touch on.
-// Levels make nothing below 2e-6 m3.
+// Not below: levels make nothing smaller than 2e-6 m3.
 //
 // The hole has a margin of 2 mm about the striker, so the smallest is one of about 3 mm whatever radius is asked for.
 #include <gtest/gtest.h>

@@ -97,7 +97,7 @@ int smoke(const SmokeOptions& options) {
   int worst = kDone;
   for (std::size_t i = 0; i < options.scripts.size() && !isInterrupted(); ++i)
     worst = std::max(worst, playOne(**assets, options.scripts[i], options));
-  return worst;
+  return isInterrupted() && worst != kInterrupted ? refuse(interruption()) : worst;
 }
 
 }  // namespace brittle::program

@@ -66,7 +66,7 @@ int verify(const VerifyOptions& options) {
   int worst = kDone;
   for (std::size_t i = 0; i < options.replays.size() && !isInterrupted(); ++i)
     worst = std::max(worst, verifyOne(**assets, options.replays[i], options.ticks));
-  return worst;
+  return isInterrupted() && worst != kInterrupted ? refuse(interruption()) : worst;
 }
 
 }  // namespace brittle::program

@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
       "Runs the hard cases and prints what each one measured.\n\nExamples:\n"
       "  hard_cases                  all of them, at the counts of the test suite\n"
       "  hard_cases --full B1 B21    two of them at their full counts, which may take hours\n"
-      "  hard_cases --markdown       the table as it stands in README.md");
+      "  hard_cases --markdown       the table as Markdown");
   bool full = false, json = false, markdown = false;
   std::vector<std::string> ids;
   app.add_flag("--full", full, "full counts");
