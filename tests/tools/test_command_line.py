@@ -126,6 +126,19 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(brittle("verify", game).returncode, 0)
 
+    def test_playing_and_explaining_say_what_is_wrong_with_the_content_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            for name, text in {"levels/bad.xml": '<level><room type="bad/room" length="100"/></level>',
+                               "rooms/bad/room.lua": 'function init() mgLength(mgSegment("bad/hall", 0)) end',
+                               "segments/bad/hall.xml": '<segment size="12 10 16">\n<box pos="0 -1 wrong" size="5 .2 8"/></segment>'}.items():
+                (Path(folder) / name).parent.mkdir(parents=True, exist_ok=True)
+                (Path(folder) / name).write_text(text)
+            for command in [["play", "bad", "--frames", "20", "--size", "160x90", "--mute"], ["explain", "bad", "--rooms", "1"]]:
+                result = brittle(*command, "--assets", folder, env=environment)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(result.stderr.count("segments/bad/hall.xml:2"), 1, result.stderr)
+
     def test_what_was_reached_is_kept_and_lines_that_are_none_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
             environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)

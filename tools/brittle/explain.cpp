@@ -8,6 +8,7 @@
 #include "engine/core/profile.h"
 #include "game/sim/constants.h"
 #include "game/view/sound.h"
+#include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
 
 namespace brittle::program {
@@ -124,12 +125,14 @@ int explain(const ExplainOptions& options) {
   Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
   const audio::Bank bank;
+  Faults faults;
   for (std::uint32_t passed = 0; passed < options.rooms; ++passed, ++def->firstRoom) {
     const auto simulation = openGame(**assets, *def);
     if (!simulation && passed > 0) break;  // the level has no more rooms
     if (!simulation) return refuse(simulation.error());
     Listener listener(bank);
     print(def->firstRoom, playRoom((*simulation)->game(), listener));
+    faults.show((*simulation)->game());
   }
   return kDone;
 }

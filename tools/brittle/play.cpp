@@ -7,6 +7,7 @@
 #include "engine/runtime/loop.h"
 #include "game/content/level.h"
 #include "platform/sdl/window.h"
+#include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/saved.h"
@@ -68,6 +69,7 @@ class Player : public runtime::Client {
   }
   void show() {
     picture_.ticked(simulation_->game());
+    faults_.show(simulation_->game());
     if (speakers_ != nullptr) speakers_->ticked(picture_.packet());
   }
   bool wantsNext(const replay::InputFrame& input) const {
@@ -98,6 +100,7 @@ class Player : public runtime::Client {
   sim::Progress& progress_;
   const std::vector<std::string> levels_;
   std::optional<replay::Recorder> recorder_;
+  Faults faults_;
   std::uint32_t frames_ = 0;
 };
 
