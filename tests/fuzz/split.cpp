@@ -54,6 +54,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   double sum = 0.0;
   for (const Convex& piece : pieces) sum += massOf(piece.view()).volume;
-  BR_ASSERT(std::abs(sum - whole) <= 1e-4 * whole);
+  // Caps are off their planes by up to a millionth of the frame's 1 m, which counts by the surface.
+  const Vec3 turned(half.y(), half.z(), half.x());
+  const double surface = 8.0 * static_cast<double>(half.dot(turned));
+  BR_ASSERT(std::abs(sum - whole) <= 1e-4 * whole + 1e-6 * surface);
   return 0;
 }
