@@ -34,20 +34,6 @@ inline OtherCell otherCell(const Vec3d& half, const Vec3d& inside, std::span<con
   return found;
 }
 
-/// Area of a face. [m2]
-template <class S>
-double areaOf(const ConvexT<S>& convex, const FaceT<S>& face) {
-  const auto at = [&](std::uint32_t edge) {
-    const Vec3T<S>& point = convex.view().startOf(edge);
-    return Vec3d(static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]));
-  };
-  const Vec3d origin = at(face.edge);
-  Vec3d twice = Vec3d::Zero();
-  for (std::uint32_t edge = convex.edges[face.edge].next; edge != face.edge; edge = convex.edges[edge].next)
-    twice += (at(edge) - origin).cross(at(convex.edges[edge].next) - origin);
-  return 0.5 * twice.norm();
-}
-
 template <class S>
 int facesOf(const ConvexT<S>& convex) {
   int count = 0;

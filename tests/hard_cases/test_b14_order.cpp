@@ -36,13 +36,6 @@ const Plane& planeOf(const Wall& wall, float) {
   return wall.rounded;
 }
 
-Vec3 drawVector(Random& random) {
-  const float x = random.nextFloat(-1.0f, 1.0f);
-  const float y = random.nextFloat(-1.0f, 1.0f);
-  const float z = random.nextFloat(-1.0f, 1.0f);
-  return Vec3(x, y, z);
-}
-
 enum class Walls { AtRandom, ThroughOnePoint, ThroughCornersAndEdges, OnFaces };
 
 /// Planes about as many cells can come of; offsets of the float planes are off by their rounding.

@@ -13,10 +13,7 @@ namespace brittle::geometry {
 namespace {
 
 Vec3 drawDirection(Random& random) {
-  const float x = random.nextFloat(-1.0f, 1.0f);
-  const float y = random.nextFloat(-1.0f, 1.0f);
-  const float z = random.nextFloat(-1.0f, 1.0f);
-  return normalizedOr(Vec3(x, y, z), Vec3::UnitX());
+  return normalizedOr(drawVector(random), Vec3::UnitX());
 }
 
 class B5 : public testing::TestWithParam<float> {

@@ -93,13 +93,10 @@ TEST(B6, ConesAboutRandomDirections) {
     Random random(81, static_cast<std::uint64_t>(seed));
     std::vector<Plane> planes;
     for (std::uint32_t cones = 1 + random.nextBelow(4); cones > 0; --cones) {
-      const float x = random.nextFloat(-1.0f, 1.0f);
-      const float y = random.nextFloat(-1.0f, 1.0f);
-      const float z = random.nextFloat(-1.0f, 1.0f);
+      const Vec3 axis = normalizedOr(drawVector(random), Vec3::UnitX());
       const float height = random.nextFloat(0.6f, 0.95f);
       const float opening = random.nextFloat(0.3f, 1.1f);
-      addCone(normalizedOr(Vec3(x, y, z), Vec3::UnitX()), height, opening, static_cast<int>(3 + random.nextBelow(40)),
-              planes);
+      addCone(axis, height, opening, static_cast<int>(3 + random.nextBelow(40)), planes);
     }
     expectCell(planes);
   }

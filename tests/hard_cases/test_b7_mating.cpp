@@ -18,18 +18,10 @@
 namespace brittle::geometry {
 namespace {
 
+/// Of the whole surface. [m2]
 double areaOf(const Convex& piece) {
   double sum = 0.0;
-  for (const Face& face : piece.faces) {
-    const Vec3d origin = piece.view().startOf(face.edge).cast<double>();
-    Vec3d twice = Vec3d::Zero();
-    for (std::uint32_t edge = piece.edges[face.edge].next; edge != face.edge; edge = piece.edges[edge].next) {
-      const Vec3d start = piece.view().startOf(edge).cast<double>();
-      const Vec3d end = piece.view().endOf(edge).cast<double>();
-      twice += (start - origin).cross(end - origin);
-    }
-    sum += 0.5 * twice.norm();
-  }
+  for (const Face& face : piece.faces) sum += areaOf(piece, face);
   return sum;
 }
 

@@ -22,6 +22,11 @@ def brittle(*arguments, **options):
     return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=ROOT, **options)
 
 
+def off_screen(folder):
+    """An environment without display or loudspeaker, that keeps its progress in `folder`."""
+    return dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+
+
 class CommandLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -120,7 +125,7 @@ class CommandLine(unittest.TestCase):
 
     def test_playing_off_screen_records_a_game_that_verifies(self):
         with tempfile.TemporaryDirectory() as folder:
-            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            environment = off_screen(folder)
             game = Path(folder) / "game.brt"
             result = brittle("play", "--frames", "20", "--size", "160x90", "--record", game, env=environment)
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -128,7 +133,7 @@ class CommandLine(unittest.TestCase):
 
     def test_playing_and_explaining_say_what_is_wrong_with_the_content_once(self):
         with tempfile.TemporaryDirectory() as folder:
-            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            environment = off_screen(folder)
             for name, text in {"levels/bad.xml": '<level><room type="bad/room" length="100"/></level>',
                                "rooms/bad/room.lua": 'function init() mgLength(mgSegment("bad/hall", 0)) end',
                                "segments/bad/hall.xml": '<segment size="12 10 16">\n<box pos="0 -1 wrong" size="5 .2 8"/></segment>'}.items():
@@ -141,7 +146,7 @@ class CommandLine(unittest.TestCase):
 
     def test_what_was_reached_is_kept_and_lines_that_are_none_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
-            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            environment = off_screen(folder)
             kept = Path(folder) / "brittle" / "progress.txt"
             kept.parent.mkdir()
             kept.write_text("41 3 first\nnonsense\n")
@@ -152,7 +157,7 @@ class CommandLine(unittest.TestCase):
 
     def test_a_damaged_progress_is_kept_beside_the_new_one_and_no_older_one_is_lost(self):
         with tempfile.TemporaryDirectory() as folder:
-            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            environment = off_screen(folder)
             progress = Path(folder) / "brittle" / "progress.txt"
             progress.parent.mkdir()
             names = ["progress.txt.damaged", "progress.txt.damaged.2", "progress.txt.damaged.3"]
@@ -169,7 +174,7 @@ class CommandLine(unittest.TestCase):
 
     def test_a_damaged_progress_that_cannot_be_kept_stays(self):
         with tempfile.TemporaryDirectory() as folder:
-            environment = dict(os.environ, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", XDG_DATA_HOME=folder)
+            environment = off_screen(folder)
             progress = Path(folder) / "brittle" / "progress.txt"
             progress.parent.mkdir()
             progress.write_text("nonsense\n")

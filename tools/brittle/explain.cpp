@@ -132,6 +132,7 @@ int explain(const ExplainOptions& options) {
     if (!simulation) return refuse(simulation.error());
     Listener listener(bank);
     print(def->firstRoom, playRoom((*simulation)->game(), listener));
+    faults.restart();
     faults.show((*simulation)->game());
   }
   return kDone;

@@ -5,8 +5,10 @@
 namespace brittle::program {
 
 void Faults::show(const sim::Game& game) {
-  for (const sim::Problem& problem : game.problems())
-    if (shown_.insert(problem.text).second) std::fprintf(stderr, "content: %s\n", problem.text.c_str());
+  for (; next_ < game.problems().size(); ++next_) {
+    const std::string& text = game.problems()[next_].text;
+    if (shown_.insert(text).second) std::fprintf(stderr, "content: %s\n", text.c_str());
+  }
 }
 
 }  // namespace brittle::program

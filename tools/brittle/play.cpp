@@ -64,6 +64,7 @@ class Player : public runtime::Client {
 
  private:
   void begin() {
+    faults_.restart();
     if (!options_.record.empty()) recorder_.emplace(startOf(simulation_->game()));
     show();
   }

@@ -211,4 +211,26 @@ A volumeOf(const ConvexT<S>& convex) {
   return sum / A(6);
 }
 
+/// Area of a face. [m2]
+template <class S>
+double areaOf(const ConvexT<S>& convex, const FaceT<S>& face) {
+  const auto at = [&](std::uint32_t edge) {
+    const Vec3T<S>& point = convex.view().startOf(edge);
+    return Vec3d(static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]));
+  };
+  const Vec3d origin = at(face.edge);
+  Vec3d twice = Vec3d::Zero();
+  for (std::uint32_t edge = convex.edges[face.edge].next; edge != face.edge; edge = convex.edges[edge].next)
+    twice += (at(edge) - origin).cross(at(convex.edges[edge].next) - origin);
+  return 0.5 * twice.norm();
+}
+
+/// Each coordinate in [-1, 1).
+inline Vec3 drawVector(Random& random) {
+  const float x = random.nextFloat(-1.0f, 1.0f);
+  const float y = random.nextFloat(-1.0f, 1.0f);
+  const float z = random.nextFloat(-1.0f, 1.0f);
+  return Vec3(x, y, z);
+}
+
 }  // namespace brittle::geometry
