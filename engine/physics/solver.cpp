@@ -1,84 +1,15 @@
 #include "engine/physics/solver.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstring>
 
 #include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
+#include "engine/physics/pair_velocity.h"
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
 namespace {
-
-/// The velocities of a body, each with its pad as four lanes.
-struct Lanes {
-  Float4 linear, angular;
-};
-static_assert(offsetof(SolverBody, angularVelocity) == sizeof(Float4) &&
-              offsetof(SolverBody, invMass) == sizeof(Lanes));
-
-Lanes lanesOf(const SolverBody& body) {
-  Lanes lanes;
-  std::memcpy(&lanes, &body, sizeof(lanes));
-  return lanes;
-}
-
-/// What `load` and `store` do with one body of each of four pairs.
-[[gnu::always_inline]] inline void gather(const SolverBody* bodies, const std::uint32_t (&index)[kLanes],
-                                          Wide3<Float4>& linear, Wide3<Float4>& angular) {
-  Lanes p = lanesOf(bodies[index[0]]), q = lanesOf(bodies[index[1]]);
-  Lanes r = lanesOf(bodies[index[2]]), s = lanesOf(bodies[index[3]]);
-  transpose(p.linear, q.linear, r.linear, s.linear);
-  transpose(p.angular, q.angular, r.angular, s.angular);
-  linear = {p.linear, q.linear, r.linear};
-  angular = {p.angular, q.angular, r.angular};
-}
-
-[[gnu::always_inline]] inline void scatter(const Wide3<Float4>& linear, const Wide3<Float4>& angular,
-                                           const std::uint32_t (&index)[kLanes], SolverBody* bodies) {
-  Lanes p{linear.x, angular.x}, q{linear.y, angular.y}, r{linear.z, angular.z}, s{};
-  transpose(p.linear, q.linear, r.linear, s.linear);
-  transpose(p.angular, q.angular, r.angular, s.angular);
-  std::memcpy(static_cast<void*>(&bodies[index[0]]), &p, sizeof(p));
-  std::memcpy(static_cast<void*>(&bodies[index[1]]), &q, sizeof(q));
-  std::memcpy(static_cast<void*>(&bodies[index[2]]), &r, sizeof(r));
-  std::memcpy(static_cast<void*>(&bodies[index[3]]), &s, sizeof(s));
-}
-
-Wide3<float> wide(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-Vec3 narrow(const Wide3<float>& v) {
-  return Vec3(v.x, v.y, v.z);
-}
-
-PairVelocity<float> load(const std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b) {
-  return {wide(bodies[a].velocity), wide(bodies[a].angularVelocity), wide(bodies[b].velocity),
-          wide(bodies[b].angularVelocity)};
-}
-
-void store(std::vector<SolverBody>& bodies, std::uint32_t a, std::uint32_t b, const PairVelocity<float>& v) {
-  bodies[a].velocity = narrow(v.linearA);
-  bodies[a].angularVelocity = narrow(v.angularA);
-  bodies[b].velocity = narrow(v.linearB);
-  bodies[b].angularVelocity = narrow(v.angularB);
-}
-
-PairVelocity<Float4> load(const std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes],
-                          const std::uint32_t (&b)[kLanes]) {
-  PairVelocity<Float4> v;
-  gather(bodies.data(), a, v.linearA, v.angularA);
-  gather(bodies.data(), b, v.linearB, v.angularB);
-  return v;
-}
-
-void store(std::vector<SolverBody>& bodies, const std::uint32_t (&a)[kLanes], const std::uint32_t (&b)[kLanes],
-           const PairVelocity<Float4>& v) {
-  scatter(v.linearA, v.angularA, a, bodies.data());
-  scatter(v.linearB, v.angularB, b, bodies.data());
-}
 
 /// Whether a point was hit hard enough to rebound.
 bool rebounds(const Contact& contact, int point) {
@@ -255,24 +186,26 @@ void ContactSolver::buildStrikes(State& state, float dt) {
 
 void ContactSolver::warmStartRows(State& state) {
   for (std::uint32_t i = 0; i < batchCount_; ++i) {
-    PairVelocity<Float4> v = load(*bodies_, batches_[i].bodyA, batches_[i].bodyB);
+    PairVelocity<Float4> v = loadPair(*bodies_, batches_[i].bodyA, batches_[i].bodyB);
     batches_[i].rows.warmStart(v);
-    physics::store(*bodies_, batches_[i].bodyA, batches_[i].bodyB, v);
+    storePair(*bodies_, batches_[i].bodyA, batches_[i].bodyB, v);
   }
   for (Single& single : singles_) {
-    PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
+    PairVelocity<float> v = loadPair(*bodies_, single.bodyA, single.bodyB);
     single.rows.warmStart(v);
-    physics::store(*bodies_, single.bodyA, single.bodyB, v);
+    storePair(*bodies_, single.bodyA, single.bodyB, v);
   }
   state.jointSolver.warmStart(bodies_->data());
 }
 
 void ContactSolver::solve(State& state, int iterations) {
-  for (int i = 0; i < iterations; ++i) {
-    state.jointSolver.solve(bodies_->data());
-    solveBatches(i % 2 != 0);
-    solveGroups(state);
-  }
+  for (int i = 0; i < iterations; ++i) sweep(state, i % 2 != 0);
+}
+
+void ContactSolver::sweep(State& state, bool backwards) {
+  state.jointSolver.solve(bodies_->data());
+  solveBatches(backwards);
+  solveGroups(state);
 }
 
 // Every other sweep runs backwards: what travels through a stack in one direction only would tilt it. For the same
@@ -281,10 +214,10 @@ void ContactSolver::solve(State& state, int iterations) {
 void ContactSolver::solveBatches(bool backwards) {
   for (std::uint32_t i = 0; i < batchCount_; ++i) {
     Batch& batch = batches_[backwards ? batchCount_ - 1 - i : i];
-    PairVelocity<Float4> v = load(*bodies_, batch.bodyA, batch.bodyB);
+    PairVelocity<Float4> v = loadPair(*bodies_, batch.bodyA, batch.bodyB);
     batch.rows.solveFriction(v);
     batch.rows.solveNormals(batch.points, 2 * batch.points - 1, backwards, v);
-    physics::store(*bodies_, batch.bodyA, batch.bodyB, v);
+    storePair(*bodies_, batch.bodyA, batch.bodyB, v);
   }
 }
 
@@ -301,9 +234,9 @@ void ContactSolver::solveGroups(State& state) {
     else
       solveStrike(state, group);
     for (std::uint32_t i = group.first; i < group.end; ++i) {
-      PairVelocity<float> v = load(*bodies_, singles_[i].bodyA, singles_[i].bodyB);
+      PairVelocity<float> v = loadPair(*bodies_, singles_[i].bodyA, singles_[i].bodyB);
       singles_[i].rows.solveFriction(v);
-      physics::store(*bodies_, singles_[i].bodyA, singles_[i].bodyB, v);
+      storePair(*bodies_, singles_[i].bodyA, singles_[i].bodyB, v);
     }
   }
 }
@@ -337,9 +270,9 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
   strike.impulse -= sumOf(group.first, group.end);
   for (std::uint32_t i = group.first; i < group.end; ++i) {
     Single& single = singles_[i];
-    PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
+    PairVelocity<float> v = loadPair(*bodies_, single.bodyA, single.bodyB);
     single.rows.solveNormals(single.points, single.points, false, v);
-    physics::store(*bodies_, single.bodyA, single.bodyB, v);
+    storePair(*bodies_, single.bodyA, single.bodyB, v);
   }
   const float sum = sumOf(group.first, group.end);
   const float left =
@@ -351,14 +284,14 @@ void ContactSolver::solveStrike(State& state, const Group& group) {
 void ContactSolver::scaleNormals(const Group& group, float scale) {
   for (std::uint32_t i = group.first; i < group.end; ++i) {
     Single& single = singles_[i];
-    PairVelocity<float> v = load(*bodies_, single.bodyA, single.bodyB);
+    PairVelocity<float> v = loadPair(*bodies_, single.bodyA, single.bodyB);
     for (int p = 0; p < single.points; ++p) {
       Row<float>& row = single.rows.point[p];
       const float capped = row.impulse * scale;
       single.rows.apply(single.rows.normal, row, capped - row.impulse, v);
       row.impulse = capped;
     }
-    physics::store(*bodies_, single.bodyA, single.bodyB, v);
+    storePair(*bodies_, single.bodyA, single.bodyB, v);
   }
 }
 
@@ -388,14 +321,14 @@ void ContactSolver::applyRestitution(State& state) {
     (*bodies_)[b].center = state.bodies.at(b).center;
     ContactRows<float> rows;
     fillLane(state, contact, GapRule::Touching, 1.0f, 0, rows);
-    PairVelocity<float> v = load(*bodies_, a, b);
+    PairVelocity<float> v = loadPair(*bodies_, a, b);
     for (int i = 0; i < contact.manifold.count; ++i) {
       if (!rebounds(contact, i)) continue;
       const float missing = contact.restitution * contact.approach[i] - rows.speedAlong(rows.normal, rows.point[i], v);
       if (missing <= 0.0f) continue;
       rows.apply(rows.normal, rows.point[i], rows.point[i].mass * missing, v);
     }
-    physics::store(*bodies_, a, b, v);
+    storePair(*bodies_, a, b, v);
   });
   if (any) storeBodies(state);
 }

@@ -33,6 +33,10 @@ class ContactSolver {
   void prepare(State& state, float dt, bool warmStart);
   /// Runs `iterations` sweeps over joints, batches and strikes.
   void solve(State& state, int iterations);
+  /// The same for tall stacks, which sweeps alone would not get to the ground of: after each sweep there and back all
+  /// impulses go on along the way they took. Source: Silcowitz, Niebe, Erleben, A Nonsmooth Nonlinear Conjugate
+  /// Gradient Method for Interactive Contact Force Problems, 2010.
+  void solveTall(State& state, int rounds);
   /// Puts the accumulated impulses back into the manifolds and the strikes.
   void store(State& state) const;
   /// Rebound of contacts that carried an impulse and are not saturated. After the bodies have moved: until then a
@@ -56,6 +60,10 @@ class ContactSolver {
     std::uint32_t light = kNobody;
     std::uint32_t block = 0;  // a light body's, in blocks_
   };
+  /// Of the impulses of one batch: as they were, then what a round changed of them, and the way they go on along.
+  struct Course {
+    Float4 change[kMaxPoints + 3], way[kMaxPoints + 3];
+  };
   static constexpr std::uint32_t kNobody = 0xffffffff;
 
   void colorContacts(State& state);
@@ -66,7 +74,11 @@ class ContactSolver {
   void buildStrikes(State& state, float dt);
   void addSingle(State& state, std::uint32_t contact, float dt);
   void warmStartRows(State& state);
+  void sweep(State& state, bool backwards);
   void solveBatches(bool backwards);
+  void beginRound();
+  double lengthOfRound();
+  void goOn(float share);
   void solveGroups(State& state);
   void solveLightBody(State& state, const Group& group);
   void solveStrike(State& state, const Group& group);
@@ -78,6 +90,7 @@ class ContactSolver {
   std::vector<std::uint32_t> colorMasks_;            // by body slot
   std::vector<std::uint32_t> byColor_[kColors + 1];  // contact slots
   std::vector<Batch> batches_;
+  std::vector<Course> courses_;  // by batch
   std::vector<Single> singles_;
   std::vector<Group> groups_;
   std::vector<std::uint8_t> isLight_;  // by body slot

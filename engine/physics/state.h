@@ -20,6 +20,7 @@
 #include "engine/physics/solver.h"
 #include "engine/physics/strikes.h"
 #include "engine/physics/solver_body.h"
+#include "engine/physics/stack.h"
 #include "engine/physics/sweep.h"
 
 namespace brittle::physics {
@@ -61,6 +62,7 @@ struct State {
   std::vector<std::uint32_t> firstMeeting;  // by body slot, or kNoMeeting
   JointSolver jointSolver;
   ContactSolver contactSolver;
+  Stacks stacks;
   Strikes strikes;
   fracture::Fracturer fracturer;
   std::vector<Held> breakingNow;

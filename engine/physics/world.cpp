@@ -32,7 +32,11 @@ void solve(State& state, float dt, bool isFirstPass) {
   state.jointSolver.prepare(state, dt, isFirstPass);
   solver.prepare(state, dt, isFirstPass);
   // Later passes start from the first one's answer and only take in what a breaking changed.
-  solver.solve(state, isFirstPass ? state.accuracy.iterations : (state.accuracy.iterations + 1) / 2);
+  const int iterations = state.accuracy.iterations;
+  if (isFirstPass && state.stacks.rounds() > 0)
+    solver.solveTall(state, maxOf(state.stacks.rounds(), iterations / 2));
+  else
+    solver.solve(state, isFirstPass ? iterations : (iterations + 1) / 2);
   solver.store(state);
   solver.storeBodies(state);
 }
@@ -66,9 +70,11 @@ void step(State& state, float dt) {
   fadeBudgets(state, dt);
   breakHeld(state);
   detectCollisions(state, dt);  // 2
-  solveAndBreak(state, dt);     // 3 to 5
+  state.stacks.measure(state, dt);
+  solveAndBreak(state, dt);  // 3 to 5
   holdSaturated(state, dt);
   chargeStrikes(state, dt);
+  state.stacks.hold(state, dt);
   integratePositions(state, dt);  // 6
   state.contactSolver.applyRestitution(state);
   correctPositions(state);

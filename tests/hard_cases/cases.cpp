@@ -57,6 +57,7 @@ constexpr Case kCases[] = {
     {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
     {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
     {"B41", "1,000 to 32,000 bodies made and removed", "work per body flat within 1.5; memory returns"},
+    {"B43", "a wall of 40 x 25 bricks, 60 s awake", "stands: top sinks below 20 mm; energy never rises by 1e-6"},
     {"B44", "resting and hanging loads at 0.1 to 3 times the limit",
      "breaks exactly above it at any dt; joints never break"},
     {"B45", "thirty identical rooms on end, and one far out", "every room the same hashes, tick by tick"},

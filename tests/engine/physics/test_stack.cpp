@@ -1,0 +1,110 @@
+// Tall stacks: they stand when they must, fall when they must, and lower ones cost nothing more.
+#include "engine/physics/stack.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/physics/state.h"
+#include "tests/engine/physics/scene.h"
+
+namespace brittle::physics {
+namespace {
+
+const Vec3 kBox(0.2f, 0.1f, 0.2f);  // half extents [m]
+
+/// Boxes on a floor, each further to the side than the one below. [m]
+struct Stack {
+  World world;
+  BodyHandle floor;
+  std::vector<BodyHandle> boxes;
+
+  explicit Stack(int count, float aside = 0.0f, float friction = 0.5f) : world(awake()) {
+    floor = addFloor(world);
+    for (int i = 0; i < count; ++i)
+      boxes.push_back(addBox(world, bodyAt(placeOf(i, aside)), kBox, shapeDef(2000.0f, friction)));
+  }
+  static Vec3 placeOf(int i, float aside = 0.0f) {
+    return Vec3(aside * static_cast<float>(i), kBox.y() * static_cast<float>(1 + 2 * i), 0.0f);
+  }
+  const Body& top() const { return world.body(boxes.back()); }
+  void step(int ticks) {
+    for (int i = 0; i < ticks; ++i) world.step(kTick);
+  }
+  /// What the floor carried in the last tick. [N s]
+  float onTheFloor() const {
+    float sum = 0.0f;
+    world.state().contacts.forEach([&](ContactHandle, const Contact& contact) {
+      if (world.bodyOf(contact.a) != floor && world.bodyOf(contact.b) != floor) return;
+      for (int i = 0; i < contact.manifold.count; ++i) sum += contact.manifold.points[i].normalImpulse;
+    });
+    return sum;
+  }
+
+ private:
+  static WorldDef awake() {
+    WorldDef def;
+    def.accuracy.deactivation = false;
+    return def;
+  }
+};
+
+TEST(Stack, StandsFromTheFirstTickOn) {
+  Stack stack(25);
+  for (int tick = 0; tick < 600; ++tick) {
+    stack.world.step(kTick);
+    ASSERT_LT((stack.top().center - Stack::placeOf(24)).norm(), 1e-3f) << "tick " << tick;
+  }
+}
+
+TEST(Stack, TheFloorCarriesItsWholeWeight) {
+  Stack stack(25);
+  stack.step(60);
+  const auto weight = static_cast<float>(totalsOf(stack.world).mass * 9.81);
+  EXPECT_NEAR(stack.onTheFloor() / (weight * kTick), 1.0f, 0.01f);
+}
+
+// Twelve boxes, each 3 cm further: the centre of those above the lowest is 18 cm from its middle, 2 cm from its edge.
+TEST(Stack, LeansAsFarAsItsLoadAllows) {
+  Stack stack(12, 0.03f);
+  stack.step(600);
+  EXPECT_LT((stack.top().center - Stack::placeOf(11, 0.03f)).norm(), 0.005f);
+}
+
+// At 5 cm it is 30 cm from the middle, 10 cm beyond the edge.
+TEST(Stack, FallsIfItLeansTooFar) {
+  Stack stack(12, 0.05f);
+  stack.step(120);
+  EXPECT_LT(stack.top().center.y(), Stack::placeOf(11).y() - 1.0f);
+}
+
+TEST(Stack, FallsFreelyOnceTheFloorIsGone) {
+  Stack stack(12);
+  stack.step(30);
+  stack.world.destroyBody(stack.floor);
+  stack.step(12);
+  const Totals totals = totalsOf(stack.world);
+  EXPECT_NEAR(totals.momentum.y() / totals.mass, -9.81 * 0.2, 1e-3);
+}
+
+TEST(Stack, WhatIsHitKeepsTheMomentumOfTheHit) {
+  Stack stack(12, 0.0f, 0.0f);
+  addBall(stack.world, Stack::placeOf(11) - Vec3(0.4f, 0.0f, 0.0f), Vec3(5.0f, 0.0f, 0.0f), 0.08f, 8.0f);
+  const double before = totalsOf(stack.world).momentum.x();
+  stack.step(5);
+  EXPECT_GT(stack.top().velocity.x(), 0.5f);
+  EXPECT_NEAR(totalsOf(stack.world).momentum.x() / before, 1.0, 1e-3);
+}
+
+TEST(Stack, OnlyTallOnesTakeMoreRounds) {
+  for (const int count : {7, 8}) {
+    Stack stack(count);
+    stack.step(2);
+    EXPECT_EQ(stack.world.state().stacks.rounds() > 0, count == 8) << count;
+  }
+  Stack falling(12);
+  falling.world.destroyBody(falling.floor);
+  falling.step(2);
+  EXPECT_EQ(falling.world.state().stacks.rounds(), 0);
+}
+
+}  // namespace
+}  // namespace brittle::physics
