@@ -29,6 +29,10 @@ constexpr double kSideSlack = 1e-6;
 /// An edge axis has to beat the faces by this fraction of the depth, so that rounding does not choose between equals.
 constexpr double kEdgeSlack = 1e-6;
 
+/// Edges in the plane in which two faces touch have the faces' axis, but for rounding, and need not cross: where their
+/// nearest points are further apart than the axis says by this part of the shorter one, they do not touch each other.
+constexpr double kBesideSlack = 1e-4;
+
 bool isUnit(const Vec3& normal) {
   const float squared = normal.squaredNorm();
   return squared > 0.99f && squared < 1.01f;
@@ -185,11 +189,13 @@ class AxisTest {
     axis /= sine;
     if (axis.dot(a.normals[0] + a.normals[1]) < 0.0) axis = -axis;
     if ((b.start - a.start).dot(axis) <= best_.separation + kEdgeSlack * std::abs(best_.separation)) return;
-    const double before = best_.separation;
+    const Penetration before = best_;
     tryAxis(axis, sideA_, sideB_, a.start);
-    if (best_.separation <= before) return;
+    if (best_.separation <= before.separation) return;
     nearestOnLines(a, b);
     best_.axis = 0;
+    const double apart = (best_.pointB - best_.pointA).norm();
+    if (apart > std::abs(best_.separation) + kBesideSlack * minOf(a.along.norm(), b.along.norm())) best_ = before;
   }
 
   void nearestOnLines(const EdgeLine& a, const EdgeLine& b) {

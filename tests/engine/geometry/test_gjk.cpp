@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/engine/geometry/cutting.h"
 #include "tests/engine/geometry/shapes.h"
 
 namespace brittle::geometry {
@@ -258,6 +259,20 @@ TEST(Gjk, OverlapsAgreesWithTheDistance) {
     const float reach = fresh(proxy(a), poseA, ball, poseB).distance;
     if (std::abs(reach - margin) > 1e-5f) {
       EXPECT_EQ(overlaps(proxy(a), poseA, ball, poseB, margin), reach < margin);
+    }
+  }
+}
+
+// Fresh neighbours touch along their cut, where edges of both lie in one plane and need not meet.
+TEST(Gjk, ClosestPointsOfTouchingPiecesAreAsFarApartAsTheDistanceSays) {
+  for (const std::uint64_t seed : {112, 113, 114, 115}) {
+    CutCube<float> cube(CutMode::AtRandom, seed, 48);
+    while (!cube.isFull()) cube.step();
+    for (std::size_t i = 0; i < cube.count(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const Separation s = fresh(proxy(cube.piece(i)), Transform{}, proxy(cube.piece(k)), Transform{});
+        EXPECT_NEAR((s.pointB - s.pointA).norm(), std::abs(s.distance), 1e-5f) << "pieces " << i << " and " << k;
+      }
     }
   }
 }
