@@ -80,6 +80,7 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
     body.firstShape = {};
     body.shapeCount = 0;
     body.hasTarget = false;
+    body.target = {};
     body.breakable = body.breakable && !hasFragments[g] &&
                      group.mass.volume > kBreakableVolumeRatio * body.breaking.material.minVolume;
     body.bornTick = state.tick;

@@ -30,6 +30,7 @@ void moveAnimated(State& state) {
     body.pose = body.target;
     body.placeByPose();
     body.hasTarget = false;
+    body.target = {};
   });
 }
 

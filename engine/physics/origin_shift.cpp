@@ -13,7 +13,7 @@ void World::shiftOrigin(const Vec3& offset) {
   state.bodies.forEach([&](BodyHandle, Body& body) {
     body.pose.position -= offset;
     body.center -= offset;
-    body.target.position -= offset;
+    if (body.hasTarget) body.target.position -= offset;
   });
   for (Crumb& crumb : state.debris.crumbs) crumb.position -= offset;
   state.tree.shift(-offset);
