@@ -40,15 +40,15 @@ bool isSafeName(const std::string& name) {
   return true;
 }
 
-Result<std::string> unpacked(const std::string& bytes) {
-  const bool isGzip = bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
-  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' &&
-                      (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
-  if (!isGzip && !isZlib) return bytes;
+bool isGzip(const std::string& bytes) {
+  return bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
+}
+
+Result<std::string> inflated(const std::string& archive) {
   z_stream stream{};
   if (inflateInit2(&stream, 15 + 32) != Z_OK) return Error{"cannot start to unpack"};
-  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(archive.data()));
+  stream.avail_in = static_cast<uInt>(archive.size());
   std::string out;
   char block[16384];
   int status = Z_OK;
@@ -64,6 +64,13 @@ Result<std::string> unpacked(const std::string& bytes) {
   return out;
 }
 
+Result<std::string> unpacked(const std::string& bytes) {
+  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' &&
+                      (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
+  if (!isGzip(bytes) && !isZlib) return bytes;
+  return inflated(bytes);
+}
+
 std::string AssetSource::storedName(const std::string& name) const {
   if (!isSafeName(name)) return {};
   for (const char* suffix : kSuffixes)
@@ -75,14 +82,20 @@ bool AssetSource::has(const std::string& name) const {
   return !storedName(name).empty();
 }
 
-Result<std::string> AssetSource::read(const std::string& name) const {
+Result<std::string> AssetSource::readStored(const std::string& name) const {
   const std::string stored = storedName(name);
   if (stored.empty())
     return errorAt(name, 0, isSafeName(name) ? "there is no such file" : "this name leads out of the assets");
   const std::optional<std::string> raw = bytes(stored);
   if (!raw) return errorAt(stored, 0, "cannot be read, or is longer than " + std::to_string(kLongestFile) + " bytes");
+  return *raw;
+}
+
+Result<std::string> AssetSource::read(const std::string& name) const {
+  const Result<std::string> raw = readStored(name);
+  if (!raw) return raw;
   Result<std::string> contents = unpacked(*raw);
-  if (!contents) return errorAt(stored, 0, contents.error().message);
+  if (!contents) return errorAt(storedName(name), 0, contents.error().message);
   return contents;
 }
 

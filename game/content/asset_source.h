@@ -22,6 +22,8 @@ class AssetSource {
   virtual ~AssetSource() = default;
   /// The contents of `name`, unpacked. Fails if it is not there, too long, or a damaged archive.
   Result<std::string> read(const std::string& name) const;
+  /// The same as it is stored, archive or not: for formats that are archives themselves.
+  Result<std::string> readStored(const std::string& name) const;
   bool has(const std::string& name) const;
   /// The name under which `name` is stored, suffixes included; empty if it is not there.
   std::string storedName(const std::string& name) const;
@@ -62,8 +64,11 @@ class MemorySource : public AssetSource {
 /// Whether a name may be looked up at all: relative, forward slashes, no `.` or `..` parts, no colon, no control
 /// characters.
 bool isSafeName(const std::string& name);
-/// What a gzip or zlib archive holds; fails if it is damaged or longer than kLongestFile. Other bytes come back as they
-/// are.
+/// Whether bytes begin as a gzip archive does.
+bool isGzip(const std::string& bytes);
+/// What a gzip or zlib archive (RFC 1952, RFC 1950) holds; fails if it is none, damaged, or longer than kLongestFile.
+Result<std::string> inflated(const std::string& archive);
+/// The same, and bytes that do not begin like an archive come back as they are.
 Result<std::string> unpacked(const std::string& bytes);
 
 }  // namespace brittle::content

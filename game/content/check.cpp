@@ -4,6 +4,7 @@
 #include "engine/script/rewrite.h"
 #include "engine/script/sandbox.h"
 #include "game/content/asset_source.h"
+#include "game/content/baked_mesh.h"
 #include "game/content/level.h"
 #include "game/content/material.h"
 #include "game/content/script_names.h"
@@ -35,7 +36,8 @@ std::string bareName(std::string name) {
 }
 
 bool isContent(const std::string& path) {
-  return endsWith(bareName(path), ".xml") || endsWith(bareName(path), ".lua");
+  const std::string name = bareName(path);
+  return endsWith(name, ".xml") || endsWith(name, ".lua") || endsWith(name, ".mesh");
 }
 
 /// The name of the first element of an XML text; empty if there is none.
@@ -64,7 +66,7 @@ class Checker {
     } else if (isContent(path)) {
       checkFile(path);
     } else {
-      problem(path, 0, "not level content", {}, "a .xml or .lua file, or a folder of them");
+      problem(path, 0, "not level content", {}, "a .xml, .lua or .mesh file, or a folder of them");
     }
     return std::move(report_);
   }
@@ -144,6 +146,7 @@ class Checker {
     }
     const Result<std::string> raw = readFile(path, kLongestFile, "content");
     if (!raw) return problem(path, raw.error());
+    if (endsWith(bareName(path), ".mesh")) return checkMesh(path, *raw);
     const Result<std::string> text = unpacked(*raw);
     if (!text) return problem(path, 0, text.error().message);
     if (endsWith(bareName(path), ".lua")) {
@@ -151,6 +154,12 @@ class Checker {
     } else {
       checkXml(path, *text);
     }
+  }
+
+  void checkMesh(const std::string& path, const std::string& bytes) {
+    ++report_.meshes;
+    BakedMesh mesh = readBakedMesh(bytes, path);
+    take(mesh.problems);
   }
 
   void checkXml(const std::string& path, const std::string& text) {

@@ -9,7 +9,7 @@
 namespace brittle::content {
 
 struct CheckReport {
-  int segments = 0, levels = 0, templates = 0, gameLists = 0, materials = 0, scripts = 0;
+  int segments = 0, levels = 0, templates = 0, gameLists = 0, materials = 0, scripts = 0, meshes = 0;
   int boxes = 0, obstacles = 0, rooms = 0;
   int skipped = 0;    // files that are no level content, or unknown kinds of it
   Problems problems;  // by file in the order of their names, then by line

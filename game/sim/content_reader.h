@@ -28,7 +28,8 @@ class ContentReader {
   Result<std::shared_ptr<const content::Segment>> segment(const std::string& name);
   const content::MaterialTable& materials() const { return materials_; }
 
-  /// Over the names and bytes of every file read so far, whatever the order.
+  /// Over the names and bytes of every file read so far, whatever the order. Files that only the picture reads (baked
+  /// meshes) are none of them: without them a replay plays the same.
   std::uint64_t hash() const { return hash_; }
   /// What was wrong with files read since the last call.
   std::vector<std::string> takeProblems();

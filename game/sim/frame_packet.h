@@ -36,6 +36,7 @@ struct LookBox {
   std::int32_t tileRotation[3] = {0, 0, 0};                    // quarter turns
   bool reflects = false;
   float glow = 0.0f;
+  bool isStone = false;  // an obstacle that is only seen: meshes that files carry do not hold it
 };
 
 struct LookDecal {
@@ -55,7 +56,7 @@ struct BodyDecal {
 
 /// What a segment looks like: made once when it is placed, never changed.
 struct SegmentLook {
-  std::string name;
+  std::string name;            // of its file, or of what it consists of: looks of one name are alike
   std::vector<LookBox> boxes;  // the visible ones
   std::vector<LookDecal> decals;
   float length = 0.0f;                  // [m]

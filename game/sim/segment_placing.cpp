@@ -1,6 +1,7 @@
 // From a segment file to what a room is made of: its solid boxes, its look, its obstacles in the room's frame.
 #include <algorithm>
 
+#include "engine/core/hash.h"
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
 
@@ -72,6 +73,15 @@ void demandEffects(const SegmentLook& look, const std::string& who, effects::Eff
   if (!look.decals.empty()) effects.demand(effects::Effect::Decals, who);
 }
 
+/// No file's: the colon leads out of the assets.
+std::string nameOfBox(const LookBox& box) {
+  StateHash hash;
+  for (const Vec3& part : {box.center, box.halfExtents, box.color[0], box.color[1], box.color[2]})
+    for (const float number : part) hash.add(number);
+  for (const std::int32_t tile : box.tile) hash.add(tile);
+  return "box:" + std::to_string(hash.value());
+}
+
 std::uint32_t modeBit(Mode mode) {
   switch (mode) {
     case Mode::Training:
@@ -119,6 +129,7 @@ bool admitAt(Session& session, RoomPlan& plan, float middle, float halfLength, c
 
 LookBox stoneLook(const ObstacleDef& stone) {
   LookBox look;
+  look.isStone = true;
   look.center = stone.position;
   look.halfExtents =
       Vec3(numberOf(stone, "sizeX", 0.5f), numberOf(stone, "sizeY", 0.5f), numberOf(stone, "sizeZ", 0.5f));
@@ -140,10 +151,10 @@ void placeBox(Session& session, const LookBox& box, bool isSolid, const std::str
   if (!admits(session, plan, 1, where) || !admitAt(session, plan, -box.center.z(), box.halfExtents.z(), where)) return;
   ++plan.boxes;
   auto look = std::make_shared<SegmentLook>();
-  look->name = "box";
   look->length = 2.0f * box.halfExtents.z();
   look->boxes.push_back(box);
   look->boxes.back().center.z() = -box.halfExtents.z();
+  look->name = nameOfBox(look->boxes.back());
   if (isSolid) made.solids.push_back({look->boxes.back().center, box.halfExtents});
   made.look = look;
   plan.segments.push_back(std::move(made));

@@ -56,11 +56,12 @@ std::vector<render::Material> materials() {
   return table;
 }
 
-render::Baker bakerOf(const sim::SegmentLook& look) {
+render::Baker bakerOf(const sim::SegmentLook& look, Baked baked) {
   std::vector<render::BakeBox> boxes, beyond;
-  for (const sim::LookBox& box : look.boxes) {
-    boxes.push_back(boxOf(box));
-    addContinuation(boxes.back(), look.length, beyond);
+  for (const sim::LookBox& from : look.boxes) {
+    const render::BakeBox box = boxOf(from);
+    (baked == Baked::All || from.isStone ? boxes : beyond).push_back(box);
+    addContinuation(box, look.length, beyond);
   }
   render::BakeDef def;
   def.light = {look.light[0], look.light[1], look.light[2], look.light[3], look.light[4], look.light[5]};

@@ -2,6 +2,7 @@
 // state.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/render/bake.h"
@@ -13,8 +14,14 @@ namespace brittle::view {
 /// The material table, indexed by sim::Look.
 std::vector<render::Material> materials();
 
+/// Which of a segment's boxes become triangles.
+enum class Baked : std::uint8_t {
+  All,
+  Stones  // what a mesh that the segment's file carries leaves out; the others shade it
+};
+
 /// Makes a segment's boxes triangles in the segment's frame, with the light of its faces and lamps and ambient
 /// occlusion in the vertices. The same look gives the same mesh.
-render::Baker bakerOf(const sim::SegmentLook& look);
+render::Baker bakerOf(const sim::SegmentLook& look, Baked baked = Baked::All);
 
 }  // namespace brittle::view

@@ -49,7 +49,8 @@ render::Beam ropeOf(const sim::RopeView& rope, const render::Camera& camera) {
 
 }  // namespace
 
-Scene::Scene(render::Renderer& renderer) : statics_(renderer), materials_(materials()) {
+Scene::Scene(render::Renderer& renderer, const content::AssetSource* assets)
+    : statics_(renderer, assets), materials_(materials()) {
   renderer.setMaterials(materials_);
 }
 

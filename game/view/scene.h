@@ -16,8 +16,9 @@ using MeshPools = std::array<geometry::MeshPool*, render::kMaxGroups>;
 
 class Scene {
  public:
-  /// `renderer` must outlive it; gets this view's materials.
-  explicit Scene(render::Renderer& renderer);
+  /// `renderer` and `assets` must outlive it; the renderer gets this view's materials. `assets`: the game's, where
+  /// segments may carry meshes (Statics); null: without.
+  explicit Scene(render::Renderer& renderer, const content::AssetSource* assets = nullptr);
 
   /// After each tick of the game, and once before the first.
   void tick(const sim::FramePacket& packet);

@@ -17,6 +17,7 @@ void add(const content::CheckReport& report, content::CheckReport& sum) {
   sum.gameLists += report.gameLists;
   sum.materials += report.materials;
   sum.scripts += report.scripts;
+  sum.meshes += report.meshes;
   sum.boxes += report.boxes;
   sum.obstacles += report.obstacles;
   sum.rooms += report.rooms;

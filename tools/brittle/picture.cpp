@@ -29,7 +29,8 @@ struct Picture::Parts {
 Picture::Picture(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Picture::~Picture() = default;
 
-Result<std::unique_ptr<Picture>> Picture::create(runtime::Platform& platform, int samples) {
+Result<std::unique_ptr<Picture>> Picture::create(runtime::Platform& platform, int samples,
+                                                 const content::AssetSource& assets) {
   auto parts = std::make_unique<Parts>();
   Result<render::Gl> gl = render::loadGl(platform.glLoader());
   if (!gl) return gl.error();
@@ -43,7 +44,7 @@ Result<std::unique_ptr<Picture>> Picture::create(runtime::Platform& platform, in
   auto renderer = render::Renderer::create(parts->gl, def);
   if (!renderer) return renderer.error();
   parts->renderer = std::move(*renderer);
-  parts->scene = std::make_unique<view::Scene>(*parts->renderer);
+  parts->scene = std::make_unique<view::Scene>(*parts->renderer, &assets);
   return std::unique_ptr<Picture>(new Picture(std::move(parts)));
 }
 

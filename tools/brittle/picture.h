@@ -7,14 +7,16 @@
 #include "engine/core/result.h"
 #include "engine/render/capture.h"
 #include "engine/runtime/loop.h"
+#include "game/content/asset_source.h"
 #include "game/sim/game.h"
 
 namespace brittle::program {
 
 class Picture {
  public:
-  /// For the platform's current context. `samples`: multisampling, 0 or 4.
-  static Result<std::unique_ptr<Picture>> create(runtime::Platform& platform, int samples);
+  /// For the platform's current context. `samples`: multisampling, 0 or 4. `assets`: the games'; must outlive it.
+  static Result<std::unique_ptr<Picture>> create(runtime::Platform& platform, int samples,
+                                                 const content::AssetSource& assets);
   ~Picture();
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;

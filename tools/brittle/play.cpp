@@ -125,7 +125,7 @@ int play(const PlayOptions& options) {
   window.size = {size->width, size->height};
   const auto opened = platform::openWindow(window);
   if (!opened) return refuse(opened.error());
-  const auto picture = Picture::create(**opened, 4);
+  const auto picture = Picture::create(**opened, 4, **assets);
   if (!picture) return refuse(picture.error());
 
   const std::unique_ptr<Speakers> speakers = options.mute ? nullptr : Speakers::open();

@@ -71,14 +71,14 @@ struct Canvas {
   std::unique_ptr<Picture> picture;
 };
 
-Result<Canvas> makeCanvas(const RenderOptions& options) {
+Result<Canvas> makeCanvas(const RenderOptions& options, const content::AssetSource& assets) {
   const Result<Size> size = parseSize(options.size);
   if (!size) return size.error();
   const Result<platform::HeadlessBackend> backend = backendOf(options.backend);
   if (!backend) return backend.error();
   auto headless = platform::createHeadless(*backend, {size->width, size->height});
   if (!headless) return headless.error();
-  auto picture = Picture::create(**headless, options.samples);
+  auto picture = Picture::create(**headless, options.samples, assets);
   if (!picture) return picture.error();
   return Canvas{*size, std::move(*headless), std::move(*picture)};
 }
@@ -123,7 +123,7 @@ double seconds(const FrameRange& frames) {
 
 Status renderPictures(const Job& job) {
   const std::string& out = job.options.out;
-  Result<Canvas> canvas = makeCanvas(job.options);
+  Result<Canvas> canvas = makeCanvas(job.options, job.assets);
   if (!canvas) return canvas.error();
   const Status folder = prepareFolder(out);
   if (!folder) return folder;
@@ -154,7 +154,7 @@ Status drawMovie(const Job& job, Canvas& canvas, const std::string& sound) {
 
 Status renderVideo(const Job& job) {
   const std::string& out = job.options.out;
-  Result<Canvas> canvas = makeCanvas(job.options);
+  Result<Canvas> canvas = makeCanvas(job.options, job.assets);
   if (!canvas) return canvas.error();
   const Status possible = Movie::check(out, canvas->size);
   if (!possible) return possible;

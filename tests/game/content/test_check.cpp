@@ -52,7 +52,7 @@ TEST(Check, WhatIsNotThereIsAProblem) {
 
 TEST(Check, AFileThatIsNoContentIsSaidToBeNone) {
   EXPECT_EQ(listed(checkPath(kData + "/../../content_helpers.h").problems).substr(kData.size() - 11),
-            "content_helpers.h: not level content, expected a .xml or .lua file, or a folder of them\n");
+            "content_helpers.h: not level content, expected a .xml, .lua or .mesh file, or a folder of them\n");
   const std::string pipe = testing::TempDir() + "brittle_pipe.xml";
   std::filesystem::remove(pipe);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -110,6 +110,20 @@ TEST(Scripts, AStoneIsSeenAndStopsNothing) {
   }
 }
 
+TEST(Scripts, BoxesThatDifferHaveLooksOfDifferentNames) {
+  const auto game = newTestGame(oneRoom("", 160.0f,
+                                        "mgSegment(\"test/corridor\", 0) mgLength(160) mgBox(1, 1, 1, 0, 0, -8)"
+                                        " mgBox(1, 1, 1, 2, 0, -8) mgBox(1, 1, 2, 0, 0, -8) mgColor(1, 0, 0)"
+                                        " mgBox(1, 1, 1, 0, 0, -8) mgBox(1, 1, 1, 0, 0, -12)"));
+  EXPECT_TRUE(game->problems().empty()) << game->problems().front().text;
+  FramePacket packet;
+  game->copyFrame(packet);
+  std::multiset<std::string> names;
+  for (const PlacedSegment& segment : packet.rooms[0].segments) names.insert(segment.look->name);
+  EXPECT_EQ(names.size(), 6u);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 5u);  // the last two differ by their place alone
+}
+
 TEST(Scripts, AShapeMovesWithinItsBody) {
   const content::MemorySource source = withObstacle(R"(
 function init()

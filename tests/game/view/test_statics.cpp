@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/core/log.h"
 #include "engine/render/gl_null.h"
 #include "packets.h"
+#include "tests/game/content/mesh_baker.h"
 
 namespace brittle::view {
 namespace {
@@ -68,6 +70,93 @@ TEST_F(StaticsOnNull, WhatComesIntoSightHalfBakedIsFinished) {
   EXPECT_EQ(shownFrom(statics, packet, -16.0f), 6u);
   EXPECT_EQ(shownFrom(once, packet, -16.0f), 6u);
   EXPECT_EQ(statics.count(), 6u);
+}
+
+/// Segments of which one may carry a mesh.
+class CarriedMesh : public StaticsOnNull {
+ protected:
+  static constexpr const char* kFile = "segments/look0.mesh.mp3";
+
+  void SetUp() override {
+    StaticsOnNull::SetUp();
+    old_ = setLogSink([this](LogLevel, std::string_view line) { logged_.emplace_back(line); });
+  }
+  void TearDown() override { setLogSink(std::move(old_)); }
+
+  /// One triangle, which no box of the look has.
+  static content::BakedMesh triangle() {
+    content::BakedMesh mesh;
+    for (const float x : {0.0f, 1.0f, 2.0f}) mesh.vertices.push_back({Vec3(x, x * x, -1.0f), 0.0f, 0.0f, ~0u});
+    mesh.indices = {0, 1, 2};
+    return mesh;
+  }
+  /// Indices that go to the GPU when these are first shown.
+  std::size_t indicesOf(Statics& statics, const sim::FramePacket& packet) {
+    null_.clearRecord();
+    shownFrom(statics, packet, 0.0f);
+    return null_.bytesTo(GL_ELEMENT_ARRAY_BUFFER) / sizeof(std::uint32_t);
+  }
+
+  content::MemorySource assets_;
+  std::vector<std::string> logged_;
+  LogSink old_;
+};
+
+TEST_F(CarriedMesh, IsDrawnInPlaceOfTheBoxes) {
+  assets_.add(kFile, content::meshFile(triangle()));
+  Statics carried(*renderer_, &assets_), without(*renderer_);
+  EXPECT_EQ(indicesOf(carried, row(1)), 3u);
+  EXPECT_GT(indicesOf(without, row(1)), 3u);
+  EXPECT_EQ(logged_, std::vector<std::string>());
+}
+
+TEST_F(CarriedMesh, IsReadAheadAndThenShown) {
+  assets_.add("segments/look5.mesh", content::meshFile(triangle()));
+  Statics statics(*renderer_, &assets_);
+  const sim::FramePacket packet = row(6);
+  for (int i = 0; i < 30; ++i) shownFrom(statics, packet, 0.0f);
+  EXPECT_EQ(statics.count(), 6u);
+  null_.clearRecord();
+  EXPECT_EQ(shownFrom(statics, packet, -24.0f), 6u);
+  EXPECT_EQ(null_.bytesTo(GL_ELEMENT_ARRAY_BUFFER), 0u);
+}
+
+TEST_F(CarriedMesh, OneWithAFaultIsNamedOnceAndTheBoxesAreDrawn) {
+  assets_.add(kFile, "damaged");
+  Statics statics(*renderer_, &assets_), without(*renderer_);
+  const std::size_t boxes = indicesOf(without, row(1));
+  EXPECT_EQ(indicesOf(statics, row(1)), boxes);
+  statics.clear();
+  EXPECT_EQ(indicesOf(statics, row(1)), boxes);
+  ASSERT_EQ(logged_.size(), 1u);
+  EXPECT_NE(logged_[0].find("content: segments/look0.mesh: baked mesh: a damaged"), std::string::npos) << logged_[0];
+}
+
+TEST_F(CarriedMesh, StonesAreDrawnBesideIt) {
+  assets_.add(kFile, content::meshFile(triangle()));
+  sim::FramePacket packet = row(1);
+  auto look = std::make_shared<sim::SegmentLook>(*packet.rooms[0].segments[0].look);
+  look->boxes.push_back(look->boxes[0]);
+  look->boxes[1].center.y() = 0.5f;
+  look->boxes[1].isStone = true;
+  packet.rooms[0].segments[0].look = look;
+  Statics statics(*renderer_, &assets_);
+  EXPECT_GE(indicesOf(statics, packet), 3u + 2u * 6u);  // its top and its front at least
+}
+
+TEST_F(CarriedMesh, LargeOnesAreNotKeptWhenNobodySeesThem) {
+  content::BakedMesh large = triangle();
+  large.vertices.resize(300'000, large.vertices[0]);  // 7 MB
+  for (int i = 0; i < 8; ++i) assets_.add("segments/look" + std::to_string(i) + ".mesh", content::meshFile(large));
+  Statics statics(*renderer_, &assets_);
+  sim::FramePacket packet = row(8);
+  for (int i = 0; i < 8; ++i) {
+    sim::FramePacket one = row(8);
+    one.rooms[0].segments = {packet.rooms[0].segments[static_cast<std::size_t>(i)]};
+    one.rooms[0].segments[0].origin = Vec3::Zero();
+    EXPECT_EQ(shownFrom(statics, one, 0.0f), 1u);
+  }
+  EXPECT_EQ(statics.count(), 4u);  // of 32 MB
 }
 
 }  // namespace
