@@ -272,10 +272,13 @@ void Game::copyFrame(FramePacket& packet) const {
 }
 
 geometry::MeshPool* Game::meshes(std::uint32_t slot) {
-  Track& track = *impl_->track;
-  if (track.current().slot() == slot) return &track.current().world().meshes();
-  if (track.next() != nullptr && track.next()->slot() == slot) return &track.next()->world().meshes();
-  return nullptr;
+  Room* room = impl_->track->inSlot(slot);
+  return room != nullptr ? &room->world().meshes() : nullptr;
+}
+
+const physics::World* Game::world(std::uint32_t slot) const {
+  const Room* room = impl_->track->inSlot(slot);
+  return room != nullptr ? &room->world() : nullptr;
 }
 
 }  // namespace brittle::sim

@@ -115,6 +115,8 @@ class Game {
   /// The mesh pool of room slot 0 or 1, or null if there is no room in it. The renderer mirrors it and clears its dirty
   /// ranges.
   geometry::MeshPool* meshes(std::uint32_t slot);
+  /// The world of room slot 0 or 1, or null: for tests of what must hold in it.
+  const physics::World* world(std::uint32_t slot) const;
   /// What the room the camera is in demands, with who asked.
   const effects::EffectSet& effects() const;
 

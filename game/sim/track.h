@@ -26,6 +26,11 @@ class Track {
   const Room& current() const { return *current_; }
   Room* next() { return next_.get(); }
   const Room* next() const { return next_.get(); }
+  /// The one whose Room::slot() it is, or null.
+  Room* inSlot(std::uint32_t slot) const {
+    if (current_->slot() == slot) return current_.get();
+    return next_ && next_->slot() == slot ? next_.get() : nullptr;
+  }
   std::int64_t globalOrigin() const { return origin_; }  // of the current room [2^-8 m]
   float displayedDistance() const;
   bool levelDone() const { return done_; }

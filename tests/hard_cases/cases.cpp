@@ -62,6 +62,8 @@ constexpr Case kCases[] = {
      "breaks exactly above it at any dt; joints never break"},
     {"B45", "thirty identical rooms on end, and one far out", "every room the same hashes, tick by tick"},
     {"B46", "snapshots at 100 ticks of each replay", "the rest of the hashes, with memory poisoned"},
+    {"B50", "an hour of throwing at everything",
+     "finite; nothing floats; memory flat; the same hashes in a second run"},
 };
 
 }  // namespace

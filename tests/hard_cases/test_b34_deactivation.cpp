@@ -3,68 +3,20 @@
 // and nothing floats: half a second later no sleeping body is without support.
 #include <gtest/gtest.h>
 
-#include <deque>
 #include <string>
 
 #include "engine/physics/contact_graph.h"
 #include "tests/engine/physics/scene.h"
 #include "tests/hard_cases/case.h"
+#include "tests/hard_cases/support.h"
 
 namespace brittle::physics {
 namespace {
 
-constexpr float kHolds = 0.003f;   // closer than this is support [m]: more than the slop and one tick's fall from rest
 constexpr float kTouches = 5e-5f;  // closer than this is touch [m]: less than the slop of the smallest shard
 
 void run(World& world, int ticks) {
   for (int i = 0; i < ticks; ++i) world.step(kTick);
-}
-
-bool areNear(const World& world, const Shape& a, const Shape& b, float gap) {
-  const State& state = world.state();
-  const Body& bodyA = state.bodyOf(a);
-  const Body& bodyB = state.bodyOf(b);
-  if (bodyA.isDynamic() && bodyB.isDynamic() &&
-      (bodyA.center - bodyB.center).norm() > bodyA.radius + bodyB.radius + gap)
-    return false;
-  return geometry::overlaps(proxyOf(a, state.meshes), state.bodyOf(a).pose, proxyOf(b, state.meshes),
-                            state.bodyOf(b).pose, gap);
-}
-
-/// Bodies that stand on the static world, directly or through others: found by distance alone, without the engine's
-/// contacts.
-std::vector<bool> standing(const World& world) {
-  const State& state = world.state();
-  std::vector<std::pair<BodyHandle, const Shape*>> shapes;
-  state.bodies.forEach([&](BodyHandle handle, const Body& body) {
-    forEachShape(state, body, [&](ShapeHandle, const Shape& shape) { shapes.emplace_back(handle, &shape); });
-  });
-  std::vector<bool> stands(state.bodies.capacity(), false);
-  std::deque<std::size_t> pending;
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (!state.bodies[shapes[i].first].isDynamic()) pending.push_back(i);
-  while (!pending.empty()) {
-    const std::size_t i = pending.front();
-    pending.pop_front();
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-      const std::uint32_t slot = shapes[k].first.index;
-      if (stands[slot] || !state.bodies[shapes[k].first].isDynamic()) continue;
-      if (!areNear(world, *shapes[i].second, *shapes[k].second, kHolds)) continue;
-      stands[slot] = true;
-      for (std::size_t j = 0; j < shapes.size(); ++j)
-        if (shapes[j].first == shapes[k].first) pending.push_back(j);
-    }
-  }
-  return stands;
-}
-
-int floatingSleepers(const World& world) {
-  const std::vector<bool> stands = standing(world);
-  int count = 0;
-  world.forEachBody([&](BodyHandle handle, const Body& body) {
-    count += body.isDynamic() && !body.awake && !stands[handle.index] ? 1 : 0;
-  });
-  return count;
 }
 
 void expectNoneFloats(const World& world, const std::string& when) {

@@ -4,36 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "game/content/asset_source.h"
 #include "game/sim/constants.h"
 #include "game/sim/game.h"
+#include "tests/game/sim/layered_source.h"
 #include "tests/hard_cases/case.h"
 
 namespace brittle::sim {
 namespace {
 
-/// The same shipped segments and obstacles in every room; the attribute `seed` makes their random choices the same too.
-class LayeredSource : public content::FolderSource {
- public:
-  explicit LayeredSource(int rooms) : content::FolderSource({BRITTLE_SOURCE_DIR "/assets"}) {
-    level_ = "<level>";
-    for (int i = 0; i < rooms; ++i) level_ += "<room type=\"same\" length=\"100\" seed=\"5\"/>";
-    level_ += "</level>";
-  }
-
- protected:
-  std::optional<std::string> bytes(const std::string& stored) const override {
-    if (stored == "levels/same.xml") return level_;
-    if (stored == "rooms/same.lua") return room_;
-    return content::FolderSource::bytes(stored);
-  }
-  bool contains(const std::string& stored) const override {
-    return stored == "levels/same.xml" || stored == "rooms/same.lua" || content::FolderSource::contains(stored);
-  }
-
- private:
-  std::string level_;
-  std::string room_ = R"(
+constexpr const char* kRoom = R"(
 function init()
   local l = 0
   l = l + mgSegment("first/hall/window", -l)
@@ -43,7 +22,11 @@ function init()
   mgSegment("first/hall/door", -121.3)
   mgLength(137.3)
 end)";
-};
+
+/// The same shipped segments and obstacles in every room; the attribute `seed` makes their random choices the same too.
+LayeredSource sameRooms(int count) {
+  return LayeredSource({{"levels/same.xml", levelOf(count, "same", "seed=\"5\"")}, {"rooms/same.lua", kRoom}});
+}
 
 replay::InputFrame inputAt(std::uint32_t tickInRoom) {
   replay::InputFrame frame;
@@ -72,7 +55,7 @@ GameDef definition(std::int64_t offset = 0) {
 }
 
 TEST(B45, ThirtyIdenticalRoomsGiveIdenticalHashes) {
-  const LayeredSource source(30);
+  const LayeredSource source = sameRooms(30);
   Result<std::unique_ptr<Game>> game = Game::create(source, definition());
   ASSERT_TRUE(static_cast<bool>(game)) << game.error().message;
   EXPECT_TRUE((*game)->problems().empty()) << (*game)->problems().front().text;
@@ -89,7 +72,7 @@ TEST(B45, ThirtyIdenticalRoomsGiveIdenticalHashes) {
 }
 
 TEST(B45, ARoomIsTheSameFarOut) {
-  const LayeredSource source(2);
+  const LayeredSource source = sameRooms(2);
   std::vector<std::vector<std::uint64_t>> played;
   for (const std::int64_t metres : {std::int64_t{0}, std::int64_t{1'000'037}, std::int64_t{1} << 40}) {
     Result<std::unique_ptr<Game>> game = Game::create(source, definition(metres * 256));
