@@ -1,6 +1,7 @@
 #include "engine/script/sandbox.h"
 
 #include "engine/core/assert.h"
+#include "engine/script/numbering.h"
 #include "engine/script/rewrite.h"
 #include "engine/script/state.h"
 

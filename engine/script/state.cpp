@@ -1,6 +1,7 @@
 #include "engine/script/state.h"
 
 #include "engine/core/assert.h"
+#include "engine/script/numbering.h"
 
 #include <algorithm>
 #include <cstdarg>

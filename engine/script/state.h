@@ -122,11 +122,4 @@ void addBase(lua_State* lua);
 /// What "^", "%" and "#" became: see rewrite.h.
 int applyOperator(lua_State* lua);
 
-/// Numbers every function reachable from the globals that has no number yet. Protected mode only.
-void numberFunctions(lua_State* lua);
-/// Remembers the globals as they are now as the built-in ones. Protected mode only.
-void rememberBuiltins(lua_State* lua);
-/// Whether the value on top of the stack is the built-in of this name. Protected mode only.
-bool isBuiltin(lua_State* lua, const char* name);
-
 }  // namespace brittle::script

@@ -1,6 +1,6 @@
 // tests/engine/geometry/shapes.h - convexes for the tests of distance and overlap, built without geometry/make so that
-// those tests stand alone: boxes, random hulls by brute force, scaled to slivers. And the slow, certain answers in
-// double.
+// those tests stand alone: boxes, random hulls by brute force, scaled to slivers; spheres and poses. And the slow,
+// certain answers in double.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 
 #include "engine/core/random.h"
 #include "engine/geometry/convex.h"
+#include "engine/geometry/gjk.h"
 #include "engine/math/transform.h"
 
 namespace brittle::geometry::test {
@@ -80,6 +81,16 @@ inline Transform randomPose(Random& random, float reach) {
   for (int i = 0; i < 4; ++i) q[i] = random.nextFloat(-1.0f, 1.0f);
   pose.rotation = Quat(q[0], q[1], q[2], q[3]).normalized();
   return pose;
+}
+
+inline Proxy proxy(const Convex& convex) {
+  return {convex.view(), Vec3::Zero(), 0.0f};
+}
+inline Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) {
+  return {{}, center, radius};
+}
+inline Transform at(float x, float y, float z) {
+  return {Vec3(x, y, z), Quat::Identity()};
 }
 
 /// The vertices in the world, in double.

@@ -9,19 +9,13 @@
 namespace brittle::geometry {
 namespace {
 
+using test::at;
 using test::box;
+using test::proxy;
 using test::randomHull;
 using test::randomPose;
+using test::sphere;
 
-Proxy proxy(const Convex& convex) {
-  return {convex.view(), Vec3::Zero(), 0.0f};
-}
-Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) {
-  return {{}, center, radius};
-}
-Transform at(float x, float y, float z) {
-  return {Vec3(x, y, z), Quat::Identity()};
-}
 Motion resting(const Transform& pose) {
   return {pose, pose.position, Vec3::Zero(), Vec3::Zero()};
 }

@@ -11,19 +11,12 @@
 namespace brittle::geometry {
 namespace {
 
+using test::at;
 using test::box;
+using test::proxy;
 using test::randomHull;
 using test::randomPose;
-
-Proxy proxy(const Convex& convex) {
-  return {convex.view(), Vec3::Zero(), 0.0f};
-}
-Proxy sphere(float radius, const Vec3& center = Vec3::Zero()) {
-  return {{}, center, radius};
-}
-Transform at(float x, float y, float z) {
-  return {Vec3(x, y, z), Quat::Identity()};
-}
+using test::sphere;
 
 Separation fresh(const Proxy& a, const Transform& poseA, const Proxy& b, const Transform& poseB) {
   SimplexCache cache;
