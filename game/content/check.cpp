@@ -6,6 +6,7 @@
 #include "game/content/asset_source.h"
 #include "game/content/baked_mesh.h"
 #include "game/content/level.h"
+#include "game/content/level_names.h"
 #include "game/content/material.h"
 #include "game/content/script_names.h"
 #include "game/content/segment.h"
@@ -137,6 +138,10 @@ class Checker {
     const Result<std::string> text = root_->read("templates.xml");
     if (text)
       templates_ = readTemplates(*text, (shown / root_->storedName("templates.xml")).lexically_normal().string());
+    for (const std::string& file : filesIn((folder / "obstacles").string())) {
+      const fs::path name = fs::path(bareName(file)).lexically_relative(folder / "obstacles");
+      if (name.extension() == ".lua") obstacles_.insert(fs::path(name).replace_extension().generic_string());
+    }
   }
 
   void checkFile(const std::string& path) {
@@ -164,52 +169,71 @@ class Checker {
 
   void checkXml(const std::string& path, const std::string& text) {
     const std::string kind = firstElement(text);
-    if (kind == "segment") return checkSegment(path, text);
-    if (kind == "level") return checkLevel(path, text);
-    if (kind == "templates") {
-      ++report_.templates;
-      TemplateSet set = readTemplates(text, path);
-      return take(set.problems);
-    }
-    if (kind == "game") {
-      ++report_.gameLists;
-      GameList list = readGameList(text, path);
-      checkReferences(list);
-      return take(list.problems);
-    }
-    if (kind == "materials") {
-      ++report_.materials;
-      MaterialTable table = readMaterials(text, path);
-      return take(table.problems);
-    }
     if (kind.empty()) return problem(path, 0, "there is no element in this file");
-    ++report_.skipped;
+    Problems problems = unknownNames(text, path, kind);
+    if (!read(kind, path, text, problems) && problems.empty()) ++report_.skipped;
+    take(problems);
   }
 
-  void checkSegment(const std::string& path, const std::string& text) {
+  /// Adds what the reader of this kind of file says; false if there is none.
+  bool read(const std::string& kind, const std::string& path, const std::string& text, Problems& problems) {
+    if (kind == "segment") {
+      readSegment(path, text, problems);
+    } else if (kind == "level") {
+      readLevel(path, text, problems);
+    } else if (kind == "templates") {
+      ++report_.templates;
+      add(readTemplates(text, path).problems, problems);
+    } else if (kind == "game") {
+      readGameList(path, text, problems);
+    } else if (kind == "materials") {
+      ++report_.materials;
+      add(readMaterials(text, path).problems, problems);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  static void add(const Problems& more, Problems& problems) {
+    problems.insert(problems.end(), more.begin(), more.end());
+  }
+
+  void readSegment(const std::string& path, const std::string& text, Problems& problems) {
     ++report_.segments;
-    Segment segment = readSegment(text, path, templates_);
+    const Segment segment = content::readSegment(text, path, templates_);
     report_.boxes += static_cast<int>(segment.boxes.size());
     report_.obstacles += static_cast<int>(segment.obstacles.size());
-    take(segment.problems);
+    add(segment.problems, problems);
+    for (const Obstacle& obstacle : segment.obstacles) checkType(obstacle, path, problems);
   }
 
-  void checkLevel(const std::string& path, const std::string& text) {
+  void checkType(const Obstacle& obstacle, const std::string& path, Problems& problems) const {
+    if (isKnownObstacle(obstacle.type) || obstacles_.contains(obstacle.type)) return;
+    const std::string nearest = nearestObstacle(obstacle.type, obstacles_);
+    problems.push_back({path, obstacle.line, "unknown obstacle type", obstacle.type,
+                        nearest.empty() ? "a file obstacles/" + obstacle.type + ".lua" : nearest});
+  }
+
+  void readLevel(const std::string& path, const std::string& text, Problems& problems) {
     ++report_.levels;
-    Level level = readLevel(text, path);
+    const Level level = content::readLevel(text, path);
     report_.rooms += static_cast<int>(level.rooms.size());
+    add(level.problems, problems);
     for (const Room& room : level.rooms)
       if (root_ && !root_->has("rooms/" + room.type + ".lua"))
-        level.problems.push_back(
+        problems.push_back(
             {path, room.line, "the room has no script", room.type, "a file rooms/" + room.type + ".lua"});
-    take(level.problems);
   }
 
-  void checkReferences(GameList& list) {
+  void readGameList(const std::string& path, const std::string& text, Problems& problems) {
+    ++report_.gameLists;
+    const GameList list = content::readGameList(text, path);
+    add(list.problems, problems);
     for (const LevelEntry& entry : list.levels)
       if (root_ && !root_->has("levels/" + entry.name + ".xml"))
-        list.problems.push_back(
-            {list.file, entry.line, "there is no such level", entry.name, "a file levels/" + entry.name + ".xml"});
+        problems.push_back(
+            {path, entry.line, "there is no such level", entry.name, "a file levels/" + entry.name + ".xml"});
   }
 
   void checkScript(const std::string& path, const std::string& text) {
@@ -244,6 +268,7 @@ class Checker {
   CheckReport report_;
   std::optional<FolderSource> root_;
   TemplateSet templates_;
+  std::set<std::string> obstacles_;  // that have a script in the asset folder
   std::set<std::string> listed_;
 };
 

@@ -1,7 +1,8 @@
 #include "game/content/script_names.h"
 
 #include <algorithm>
-#include <vector>
+
+#include "game/content/nearest.h"
 
 namespace brittle::content {
 namespace {
@@ -27,25 +28,6 @@ constexpr std::string_view kCalls[] = {
     "mgScore", "mgGlow", "mgClear", "mgIsCleared", "mgCreateButton", "mgIsButtonDown", "mgSetButtonDown", "mgLaser",
     "mgSmoke", "mgCameraShake", "mgBodyDecal", "mgCreateSound", "mgPlaySound"};
 
-constexpr std::size_t kFar = 3;
-
-/// Letters to change, add or leave out between two names. Source: Wagner and Fischer, The String-to-String Correction
-/// Problem, 1974.
-std::size_t distanceBetween(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 bool isScriptCall(std::string_view name) {
@@ -53,16 +35,7 @@ bool isScriptCall(std::string_view name) {
 }
 
 std::string nearestScriptCall(std::string_view name) {
-  std::string_view nearest;
-  std::size_t least = kFar;
-  if (name.size() > 100) return {};
-  for (const std::string_view call : kCalls) {
-    const std::size_t distance = distanceBetween(name, call);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = call;
-  }
-  return std::string(nearest);
+  return nearestOf(name, kCalls);
 }
 
 }  // namespace brittle::content

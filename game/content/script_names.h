@@ -9,7 +9,7 @@ namespace brittle::content {
 
 /// Whether `name` is a call of room or obstacle scripts.
 bool isScriptCall(std::string_view name);
-/// The known call nearest to `name` (at most two letters changed, added or left out); empty if none is near.
+/// The known call nearest to `name` (nearest.h); empty if none is near.
 std::string nearestScriptCall(std::string_view name);
 
 }  // namespace brittle::content

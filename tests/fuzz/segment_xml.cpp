@@ -1,9 +1,10 @@
 // Any bytes as a segment, under any bytes as templates (split at the first NUL): what is read is in range, and every
-// problem says what is wrong.
+// problem says what is wrong, of names that nobody knows as well.
 #include <cmath>
 #include <string>
 
 #include "engine/core/assert.h"
+#include "game/content/level_names.h"
 #include "game/content/segment.h"
 #include "tests/fuzz/target.h"
 
@@ -26,5 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Decal& decal : segment.decals)
     BR_ASSERT(decal.tile >= -4 && decal.tile <= 63 && std::isfinite(decal.blend));
   for (const Problem& problem : segment.problems) BR_ASSERT(!problem.what.empty());
+  const Problems unknown = unknownNames(text.substr(0, end), "s.xml", "segment");
+  for (const Problem& problem : unknown) BR_ASSERT(problem.line >= 1 && !problem.expected.empty());
+  BR_ASSERT(unknown.size() <= 1001);
   return 0;
 }

@@ -75,6 +75,24 @@ TEST(Check, AFaultyTemplateIsListedOnceHoweverItIsReached) {
             relative + "/templates.xml:1: <box> tile, got '99', expected whole numbers, 0 to 63\n");
 }
 
+TEST(Check, ObstaclesWithoutAScriptAreNamedUnlessTheyBelongToTheFormat) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "brittle_obstacles";
+  std::filesystem::remove_all(folder);
+  for (const char* name : {"segments", "obstacles/mine"}) std::filesystem::create_directories(folder / name);
+  std::ofstream(folder / "obstacles/mine/lamp.lua.mp3") << "function init() end";
+  std::ofstream(folder / "segments/a.xml") << "<segment size=\"1 1 1\">\n<obstacle pos=\"0 0 0\" type=\"mine/lamp\"/>\n"
+                                              "<obstacle pos=\"0 0 0\" type=\"cactus\"/>\n"
+                                              "<obstacle pos=\"0 0 0\" type=\"scorediamnod\"/>\n"
+                                              "<obstacle pos=\"0 0 0\" type=\"mine/lmp\"/>\n"
+                                              "<obstacle pos=\"0 0 0\" type=\"submarine\" hiden=\"1\"/></segment>";
+  const std::string file = (folder / "segments/a.xml").string();
+  EXPECT_EQ(listed(checkPath(folder.string()).problems),
+            file + ":4: unknown obstacle type, got 'scorediamnod', expected scorediamond\n" +  //
+                file + ":5: unknown obstacle type, got 'mine/lmp', expected mine/lamp\n" + file +
+                ":6: <obstacle> unknown attribute, got 'hiden', expected hidden\n" + file +
+                ":6: unknown obstacle type, got 'submarine', expected a file obstacles/submarine.lua\n");
+}
+
 TEST(ScriptNames, NearOnesAreSuggested) {
   EXPECT_TRUE(isScriptCall("mgCreateBody"));
   EXPECT_EQ(nearestScriptCall("mgObstalce"), "mgObstacle");
