@@ -13,7 +13,7 @@ local skills = {
 }
 
 local name = setting("skill", "good")
-local skill = skills[name]
+local skill = skills[name] or error("skill=" .. name .. ": expected careless, average, good or idle", 0)
 local thrown = {} -- by thing: the tick from which another throw at it makes sense
 local skipped = {} -- crystals that are left alone
 

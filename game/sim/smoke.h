@@ -38,6 +38,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct SmokeResult {
   std::uint64_t stateHash = 0;  // at the end
   std::uint32_t checks = 0;     // expectations tested
   Hud hud;                      // at the end
+  std::set<std::string> asked;  // names of settings the script wanted to know
   GameDef def;                  // with `inputs`: enough to record the run as a replay
   std::vector<replay::InputFrame> inputs;
   bool passed() const { return failures.empty(); }

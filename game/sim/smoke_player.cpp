@@ -48,6 +48,7 @@ void setting(script::Call& call, Smoke& smoke) {
   const std::string name = call.string(1);
   const std::string otherwise = call.string(2);
   if (call.failed()) return;
+  smoke.result.asked.insert(name);
   const auto found = smoke.settings.values.find(name);
   call.result(script::Value(found == smoke.settings.values.end() ? otherwise : found->second));
 }

@@ -74,6 +74,8 @@ class CommandLine(unittest.TestCase):
         self.render("--frames", "9..3", says="ends before it begins")
         for frames in ["x", "..", "1..", "-1..5", "1..2..3"]:
             self.render(f"--frames={frames}", says="expected FIRST..LAST")
+        for option in ["--frames", "--size", "--sound"]:
+            self.render(option, "", says=f"{option}: expected a text, got an empty one")
         self.render("--frames", "100..9999", says="the replay has frames 0..150")
         self.render("--backend", "vulkan", says="expected egl, osmesa or null")
         self.render("--every", "0", says="--every")
@@ -217,6 +219,34 @@ class CommandLine(unittest.TestCase):
         self.assertIn("3 seeds, balls left: median 24, min 24, max 24; 0 at the checkpoint", result.stdout)
         self.refused("smoke", self.folder / "game.lua", "--set", "skill", says="expected NAME=TEXT")
 
+    def test_a_setting_that_no_script_asks_for_is_refused(self):
+        script = self.folder / "asks.lua"
+        script.write_text('level("first")\nassert(setting("skill", "good") ~= "bad")\nrun(1)\nexpect_finite()\n')
+        self.assertEqual(brittle("smoke", script, self.folder / "game.lua", "--set", "skill=good").returncode, 0)
+        never = self.folder / "never.brt"
+        for arguments in [("--record", never), ("--seeds", "2")]:
+            self.refused("smoke", script, "--set", "skil=good", *arguments,
+                         says="--set skil=good: no script asks for it, expected skill")
+        self.refused("smoke", self.folder / "game.lua", "--set", "skill=good", says="no script asks for it, expected none")
+        result = brittle("smoke", ROOT / "assets/player.lua", "--set", "skill=godo")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("skill=godo: expected careless, average, good or idle", result.stdout)
+
+    def test_check_counts_one_thing_as_one(self):
+        for name, text in {"levels/one.xml": '<level><room type="one" length="1"/></level>', "rooms/one.lua": "function init() end",
+                           "segments/one.xml": '<segment size="1 1 1"><bxo/><box pos="0 0 0" size="1 1 1"/></segment>'}.items():
+            (self.folder / "one" / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / "one" / name).write_text(text)
+        lines = brittle("check", self.folder / "one").stdout.splitlines()
+        self.assertEqual(lines[-1], "1 level, 1 room, 1 segment (1 box, 0 obstacles), 0 meshes, 1 script, 0 other files skipped: 1 problem")
+        self.assertIn("one.xml:1: unknown element, got 'bxo', expected", lines[0])
+
+    def test_a_number_that_a_script_of_ours_needs_is_asked_for(self):
+        for command in [("fuzz", "--seconds"), ("fuzz", "--seconds", "soon"), ("cross_hash", "--ticks")]:
+            result = subprocess.run([str(ROOT / "tools" / command[0]), *command[1:]], capture_output=True, text=True, timeout=60)
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertRegex(result.stderr, r"\A.*expected a whole number, like .*\n\Z")
+
     def test_progress_is_a_bar_on_a_terminal_and_lines_elsewhere(self):
         plain = brittle("verify", self.replay).stderr
         self.assertIn(": 100 %\n", plain)
@@ -278,14 +308,15 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(pictures), 4)
         self.assertEqual(set(pictures), {pictures[0]})
 
-    def interrupted(self, *arguments, after="%"):
+    def interrupted(self, *arguments, after="%", env=None):
         """Ctrl-C once standard error has said `after`: status 130, and one line beside the progress."""
-        child = subprocess.Popen([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
+        child = subprocess.Popen([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
+                                 env=env)
         if after:
             while after not in child.stderr.readline():
                 self.assertIsNone(child.poll())
         else:
-            time.sleep(0.5)
+            time.sleep(1.0 if env else 0.5)
         child.send_signal(signal.SIGINT)
         out, err = child.communicate(timeout=60)
         self.assertEqual(child.returncode, 130, out + err)
@@ -308,6 +339,15 @@ class CommandLine(unittest.TestCase):
         for picture in frames.iterdir():
             self.assertEqual(picture.suffix, ".png")
             self.assertTrue(picture.read_bytes().endswith(b"IEND\xaeB`\x82"), picture)
+
+    def test_ctrl_c_ends_an_explanation(self):
+        self.interrupted("explain", "first", after="")
+
+    def test_ctrl_c_ends_a_game_that_is_played_and_keeps_its_recording(self):
+        with tempfile.TemporaryDirectory() as folder:
+            game = Path(folder) / "game.brt"
+            self.interrupted("play", "--size", "160x90", "--mute", "--record", game, after="", env=off_screen(folder))
+            self.assertEqual(brittle("verify", game).returncode, 0)
 
     def test_a_second_ctrl_c_ends_at_once(self):
         script = self.folder / "endless.lua"

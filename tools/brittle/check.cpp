@@ -25,6 +25,10 @@ void add(const content::CheckReport& report, content::CheckReport& sum) {
   sum.problems.insert(sum.problems.end(), report.problems.begin(), report.problems.end());
 }
 
+std::string counted(int count, const std::string& one, const std::string& many = "") {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 }  // namespace
 
 int check(const CheckOptions& options) {
@@ -35,9 +39,12 @@ int check(const CheckOptions& options) {
   }
   for (const std::string& path : options.paths) add(content::checkPath(path), sum);
   for (const content::Problem& problem : sum.problems) std::printf("%s\n", problem.text().c_str());
-  std::printf(
-      "%d levels, %d rooms, %d segments (%d boxes, %d obstacles), %d scripts, %d other files skipped: %zu problems\n",
-      sum.levels, sum.rooms, sum.segments, sum.boxes, sum.obstacles, sum.scripts, sum.skipped, sum.problems.size());
+  std::printf("%s, %s, %s (%s, %s), %s, %s, %s skipped: %s\n", counted(sum.levels, "level").c_str(),
+              counted(sum.rooms, "room").c_str(), counted(sum.segments, "segment").c_str(),
+              counted(sum.boxes, "box", "boxes").c_str(), counted(sum.obstacles, "obstacle").c_str(),
+              counted(sum.meshes, "mesh", "meshes").c_str(), counted(sum.scripts, "script").c_str(),
+              counted(sum.skipped, "other file").c_str(),
+              counted(static_cast<int>(sum.problems.size()), "problem").c_str());
   return sum.problems.empty() ? kDone : kFailed;
 }
 

@@ -18,6 +18,17 @@ std::string wholeNumber(const std::string& text) {
   return readWhole(text, number) ? "" : text + ": expected a whole number from 0 to 18446744073709551615";
 }
 
+/// What is wrong with a text that was given and is empty: nobody means that, a script's variable was.
+std::string someText(const std::string& text) {
+  return text.empty() ? "expected a text, got an empty one" : "";
+}
+
+/// Of every option of a command that takes a text.
+void refuseEmptyTexts(CLI::App& command) {
+  for (CLI::Option* option : command.get_options([](const CLI::Option* one) { return one->get_items_expected() > 0; }))
+    option->check(CLI::Validator(someText, ""));
+}
+
 void addAssets(CLI::App& command, std::string& assets) {
   command
       .add_option("--assets", assets,
@@ -156,6 +167,7 @@ int run(int argc, char** argv) {
   addSmoke(app, action);
   addCheck(app, action);
   addExplain(app, action);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuseEmptyTexts(*command);
   const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), isNamed))

@@ -10,6 +10,7 @@
 #include "game/view/sound.h"
 #include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/interrupt.h"
 
 namespace brittle::program {
 namespace {
@@ -78,7 +79,7 @@ RoomCost playRoom(sim::Game& game, Listener& listener) {
   ZoneTimes times;
   ZoneListener* const previous = setZoneListener(&times);
   const std::uint64_t room = game.roomNumber();
-  while (cost.ticks < sim::rules::kRoomTicks && game.roomNumber() == room && !game.isOver()) {
+  while (cost.ticks < sim::rules::kRoomTicks && game.roomNumber() == room && !game.isOver() && !isInterrupted()) {
     replay::InputFrame input;
     if (cost.ticks % sim::rules::kTickRate == 0) input.throws.push_back({0, 0});
     const Clock::time_point start = Clock::now();
@@ -124,6 +125,7 @@ int explain(const ExplainOptions& options) {
   if (!assets) return refuse(assets.error());
   Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
+  catchInterrupts();
   const audio::Bank bank;
   Faults faults;
   for (std::uint32_t passed = 0; passed < options.rooms; ++passed, ++def->firstRoom) {
@@ -131,7 +133,9 @@ int explain(const ExplainOptions& options) {
     if (!simulation && passed > 0) break;  // the level has no more rooms
     if (!simulation) return refuse(simulation.error());
     Listener listener(bank);
-    print(def->firstRoom, playRoom((*simulation)->game(), listener));
+    const RoomCost cost = playRoom((*simulation)->game(), listener);
+    if (isInterrupted()) return refuse(interruption());
+    print(def->firstRoom, cost);
     faults.restart();
     faults.show((*simulation)->game());
   }

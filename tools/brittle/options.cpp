@@ -43,11 +43,15 @@ Error interruption() {
   return {"interrupted"};
 }
 
-int refuse(const Error& error) {
-  std::string line = isInterrupted() ? interruption().message : error.message;
+void complain(const Error& error) {
+  std::string line = error.message;
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 32) c = ' ';  // what was typed may hold line ends
   std::fprintf(stderr, "brittle: %s\n", line.c_str());
+}
+
+int refuse(const Error& error) {
+  complain(isInterrupted() ? interruption() : error);
   return isInterrupted() ? kInterrupted : kWrongInput;
 }
 

@@ -91,7 +91,9 @@ int smoke(const SmokeOptions& options);
 int check(const CheckOptions& options);
 int explain(const ExplainOptions& options);
 
-/// Prints "brittle: message" to standard error; the exit status. After Ctrl-C whatever failed did so because of it, and
+/// Prints "brittle: message" to standard error, as one line.
+void complain(const Error& error);
+/// The same; the exit status. After Ctrl-C whatever failed did so because of it, and
 /// the line says that instead.
 int refuse(const Error& error);
 /// What ended work says after Ctrl-C.

@@ -9,6 +9,7 @@
 #include "platform/sdl/window.h"
 #include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/interrupt.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/saved.h"
 #include "tools/brittle/speakers.h"
@@ -55,7 +56,7 @@ class Player : public runtime::Client {
     ++frames_;
   }
   float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }
-  bool isDone() const override { return options_.frames != 0 && frames_ >= options_.frames; }
+  bool isDone() const override { return isInterrupted() || (options_.frames != 0 && frames_ >= options_.frames); }
 
   Status saveRecording() const {
     return recorder_ ? replay::save(recorder_->replay(), options_.record) : Status(Done{});
@@ -121,6 +122,7 @@ int play(const PlayOptions& options) {
   if (!simulation) return refuse(simulation.error());
   const Status writable = options.record.empty() ? Status(Done{}) : checkWritable(options.record);
   if (!writable) return refuse(writable.error());
+  catchInterrupts();  // before SDL, which would take Ctrl-C for a closed window
   platform::WindowDef window;
   window.size = {size->width, size->height};
   const auto opened = platform::openWindow(window);
@@ -134,8 +136,11 @@ int play(const PlayOptions& options) {
   runtime::Loop loop(**opened, player);
   while (loop.frame()) {
   }
-  for (const Status& written : {player.saveRecording(), saveProgress(saved)})
-    if (!written) return refuse(written.error());
+  for (const Status& written : {player.saveRecording(), saveProgress(saved)}) {
+    if (!written) complain(written.error());
+    if (!written) return kWrongInput;
+  }
+  if (isInterrupted()) return refuse(interruption());
   std::printf("%.0f metres, %d balls left\n", static_cast<double>(player.game().hud().distance),
               player.game().hud().balls);
   return kDone;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "engine/core/file.h"
 #include "engine/replay/recorder.h"
@@ -43,45 +44,67 @@ void printBalls(const std::string& path, std::vector<int> balls, int checkpoints
               balls.size(), balls[balls.size() / 2], balls.front(), balls.back(), checkpoints);
 }
 
-int playSeeds(const content::AssetSource& assets, const std::string& path, const std::string& source,
-              sim::SmokeSettings settings, std::uint32_t seeds) {
+/// What became of all scripts.
+struct Outcome {
+  int worst = kDone;
+  std::set<std::string> asked;  // settings that some script wanted to know
+  sim::SmokeResult last;
+};
+
+void playSeeds(const content::AssetSource& assets, const std::string& path, const std::string& source,
+               sim::SmokeSettings settings, std::uint32_t seeds, Outcome& outcome) {
   std::vector<int> balls;
   int checkpoints = 0;
-  int worst = kDone;
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     settings.seed = seed;
     const sim::SmokeResult result = sim::runSmoke(assets, path, source, settings);
-    if (isInterrupted()) return refuse(interruption());
+    if (isInterrupted()) return;
+    outcome.asked.insert(result.asked.begin(), result.asked.end());
     print(path, result);
     std::printf("  seed %u: %s in room %d at %d m with %d balls\n", seed, nameOf(result.hud.phase), result.hud.room,
                 static_cast<int>(result.hud.distance), result.hud.balls);
     balls.push_back(result.hud.balls);
     if (result.hud.phase == sim::Phase::Checkpoint) ++checkpoints;
-    if (!result.passed()) worst = kFailed;
+    if (!result.passed()) outcome.worst = std::max(outcome.worst, kFailed);
   }
   printBalls(path, balls, checkpoints);
-  return worst;
 }
 
-int playOne(const content::AssetSource& assets, const std::string& path, const SmokeOptions& options) {
+void playOne(const content::AssetSource& assets, const std::string& path, const SmokeOptions& options,
+             const sim::SmokeSettings& settings, Outcome& outcome) {
   const Result<std::string> source = readFile(path, kLongestScript, "a smoke script (.lua)");
-  if (!source) return refuse(source.error());
+  if (!source) {
+    outcome.worst = refuse(source.error());
+    return;
+  }
+  if (options.seeds > 0) return playSeeds(assets, path, *source, settings, options.seeds, outcome);
+  outcome.last = sim::runSmoke(assets, path, *source, settings);
+  if (isInterrupted()) return;
+  outcome.asked.insert(outcome.last.asked.begin(), outcome.last.asked.end());
+  print(path, outcome.last);
+  if (!outcome.last.passed()) outcome.worst = std::max(outcome.worst, kFailed);
+}
+
+Result<sim::SmokeSettings> settingsOf(const SmokeOptions& options) {
   sim::SmokeSettings settings;
   settings.isCalledOff = isInterrupted;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) return refuse({"--set " + setting + ": expected NAME=TEXT"});
+    if (equals == std::string::npos) return Error{"--set " + setting + ": expected NAME=TEXT"};
     settings.values[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
-  if (options.seeds > 0) return playSeeds(assets, path, *source, settings, options.seeds);
-  const sim::SmokeResult result = sim::runSmoke(assets, path, *source, settings);
-  if (isInterrupted()) return refuse(interruption());
-  print(path, result);
-  if (!options.record.empty() && !result.inputs.empty()) {
-    const Status written = record(assets, result, options.record);
-    if (!written) return refuse(written.error());
-  }
-  return result.passed() ? kDone : kFailed;
+  return settings;
+}
+
+/// A setting that no script wanted to know is misspelled.
+Status checkAsked(const sim::SmokeSettings& settings, const std::set<std::string>& asked) {
+  std::string names;
+  for (const std::string& name : asked) names += (names.empty() ? "" : ", ") + name;
+  for (const auto& [name, text] : settings.values)
+    if (!asked.contains(name))
+      return Error{"--set " + name + "=" + text + ": no script asks for it, expected " +
+                   (names.empty() ? "none" : names)};
+  return Done{};
 }
 
 }  // namespace
@@ -93,11 +116,18 @@ int smoke(const SmokeOptions& options) {
   if (!writable) return refuse(writable.error());
   const auto assets = openAssets(options.assets);
   if (!assets) return refuse(assets.error());
+  const Result<sim::SmokeSettings> settings = settingsOf(options);
+  if (!settings) return refuse(settings.error());
   catchInterrupts();
-  int worst = kDone;
+  Outcome outcome;
   for (std::size_t i = 0; i < options.scripts.size() && !isInterrupted(); ++i)
-    worst = std::max(worst, playOne(**assets, options.scripts[i], options));
-  return isInterrupted() && worst != kInterrupted ? refuse(interruption()) : worst;
+    playOne(**assets, options.scripts[i], options, *settings, outcome);
+  if (isInterrupted()) return refuse(interruption());
+  const Status known = outcome.worst == kWrongInput ? Status(Done{}) : checkAsked(*settings, outcome.asked);
+  if (!known) return refuse(known.error());
+  if (options.record.empty() || outcome.last.inputs.empty()) return outcome.worst;
+  const Status written = record(**assets, outcome.last, options.record);
+  return written ? outcome.worst : refuse(written.error());
 }
 
 }  // namespace brittle::program

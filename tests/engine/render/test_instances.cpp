@@ -122,6 +122,16 @@ TEST(Text, HasStrokesOfEveryPrintableCharacterWithinItsGrid) {
   }
 }
 
+TEST(Text, PointsStandAsCloseToWhatIsBeforeThemAsToWhatFollows) {
+  for (const char c : {'.', ',', ':', ';'}) {
+    float left = kGlyphWidth;
+    for (const Stroke& stroke : glyphStrokes(glyphRow(c)))
+      for (const Vec2& point : stroke) left = minOf(left, point.x());
+    EXPECT_EQ(left, 0.0f) << c;
+  }
+  EXPECT_LT(textWidth("1.25"), textWidth("1225") - 4.0f / kGlyphHeight);
+}
+
 TEST(Text, ShowsSmallLettersAsCapitalsAndUnknownBytesAsABox) {
   EXPECT_EQ(glyphStrokes(glyphRow('q')), glyphStrokes(glyphRow('Q')));
   EXPECT_EQ(glyphRow('\x80'), kGlyphRows - 1);
