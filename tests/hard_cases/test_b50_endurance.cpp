@@ -105,18 +105,21 @@ Record play(std::uint64_t seed, int ticks, bool looks) {
   return record;
 }
 
-double meanOf(std::span<const std::size_t> values) {
+/// Rooms need from 1 to 5 MB: what a game never gives back shows in those that need the least. Mean of that quarter.
+double floorOf(std::span<const std::size_t> memory) {
+  std::vector<std::size_t> sorted(memory.begin(), memory.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.resize(sorted.size() / 4);
   double sum = 0.0;
-  for (const std::size_t value : values) sum += static_cast<double>(value);
-  return sum / static_cast<double>(values.size());
+  for (const std::size_t bytes : sorted) sum += static_cast<double>(bytes);
+  return sum / static_cast<double>(sorted.size());
 }
 
-/// The rooms of the second half of the time need no more than those of the first.
 void expectFlat(const std::vector<std::size_t>& memory) {
-  if (memory.size() < 40) return;  // rooms differ: it takes many for a mean
+  if (memory.size() < 40) return;  // rooms differ: it takes many
   const std::span<const std::size_t> all(memory);
-  const double early = meanOf(all.first(all.size() / 2)), late = meanOf(all.last(all.size() / 2));
-  EXPECT_LT(late, 1.03 * early);
+  const double early = floorOf(all.first(all.size() / 2)), late = floorOf(all.last(all.size() / 2));
+  EXPECT_LT(late, 1.1 * early);
   hard::reportWorst("memory grown by", 100.0 * (late - early) / early, "%");
 }
 
@@ -132,10 +135,10 @@ TEST(B50, AnHourOfThrowingAtEverything) {
   for (std::uint64_t seed = 1; seed <= 2 * static_cast<std::uint64_t>(hard::counted(1, 2)); ++seed) {
     const Record first = play(seed, ticks, true);
     if (HasFailure()) return;
+    const Record second = play(seed, ticks, false);
     EXPECT_GT(first.breaks, ticks / 60) << "seed " << seed;
     expectFlat(first.memory);
     reportTimes(first.milliseconds);
-    const Record second = play(seed, ticks, false);
     ASSERT_EQ(first.hashes.size(), second.hashes.size());
     for (std::size_t i = 0; i < first.hashes.size(); ++i)
       ASSERT_EQ(first.hashes[i], second.hashes[i]) << "seed " << seed << ", second " << i;
