@@ -3,6 +3,8 @@
 namespace brittle::physics {
 namespace {
 
+constexpr std::string_view kPresetNames[] = {"phone", "balanced", "accurate", "reference"};
+
 template <class T>
 bool isWithin(T value, T low, T high) {
   return value >= low && value <= high;  // false for NaN
@@ -18,6 +20,29 @@ bool isWithinRange(const Accuracy& a) {
          isWithin(a.patternDensity, 0.1f, 10.0f) && isWithin(a.minVolumeScale, 0.0f, 1e6f) &&
          isWithin(a.maxDebris, 0, 1'000'000) && isWithin(a.maxBodies, 0, 1'000'000) &&
          isWithin(a.directSolveMassRatio, 0.0f, 1e9f);
+}
+
+std::span<const std::string_view> presetNames() {
+  return kPresetNames;
+}
+
+std::optional<Accuracy> preset(std::string_view name) {
+  Accuracy accuracy;
+  if (name == "balanced") return accuracy;
+  if (name == "phone") {
+    accuracy.iterations = 4;
+    accuracy.patternDensity = 0.5f;
+  } else if (name == "accurate") {
+    accuracy.iterations = 32;
+    accuracy.substeps = 2;
+  } else if (name == "reference") {
+    accuracy.fractureRounds = 0;
+    accuracy.iterations = 32;
+    accuracy.substeps = 8;
+  } else {
+    return std::nullopt;
+  }
+  return accuracy;
 }
 
 }  // namespace brittle::physics

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
 
 #include "engine/physics/manifold.h"
 
@@ -57,5 +60,11 @@ struct Accuracy {
 
 /// Whether a world can be stepped with these: every number finite and within the range named above.
 bool isWithinRange(const Accuracy& accuracy);
+
+/// Named settings, from the cheapest to the most accurate; `balanced` is the default. They are points on the front of
+/// error against time that tools/accuracy measures; its report says which and why.
+std::span<const std::string_view> presetNames();
+/// None of that name: nothing.
+std::optional<Accuracy> preset(std::string_view name);
 
 }  // namespace brittle::physics

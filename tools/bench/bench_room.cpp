@@ -9,6 +9,7 @@
 #include "game/sim/constants.h"
 #include "game/sim/game.h"
 #include "tests/game/sim/endless.h"
+#include "tools/bench/scene.h"
 #include "tools/bench/zones.h"
 
 namespace {
@@ -20,9 +21,9 @@ class TickTimes {
  public:
   void tick(sim::Game& game, const replay::InputFrame& input) {
     zones_.clear();
-    const double start = physics::cpuMilliseconds();
+    const double start = cpuMilliseconds();
     game.tick(input);
-    ticks_.push_back(physics::cpuMilliseconds() - start);
+    ticks_.push_back(cpuMilliseconds() - start);
     if (ticks_.back() <= heaviest_) return;
     heaviest_ = ticks_.back();
     parts_ = zones_.milliseconds();

@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <ctime>
 
 #include "engine/geometry/make.h"
 #include "engine/physics/world.h"
+#include "tools/bench/cpu_time.h"
 
 namespace brittle::physics {
 
@@ -29,12 +29,6 @@ inline void addFloor(World& world) {
   floor.type = BodyType::Static;
   floor.pose.position = Vec3(0.0f, -0.5f, 0.0f);
   addBox(world, floor, Vec3(20.0f, 0.5f, 20.0f));
-}
-
-inline double cpuMilliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
 inline void label(benchmark::State& state, std::uint64_t hash) {

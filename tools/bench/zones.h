@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/core/profile.h"
-#include "tools/bench/scene.h"
+#include "tools/bench/cpu_time.h"
 
 namespace brittle {
 
@@ -33,7 +33,7 @@ class ZoneTimes : public ZoneListener {
  private:
   /// What has gone by since the last change belongs to the innermost zone.
   void charge() {
-    const double now = physics::cpuMilliseconds();
+    const double now = cpuMilliseconds();
     if (!open_.empty()) milliseconds_[open_.back()] += now - last_;
     last_ = now;
   }

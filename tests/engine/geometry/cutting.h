@@ -28,8 +28,17 @@ inline constexpr CutMode kCutModes[] = {CutMode::AtRandom, CutMode::ThroughVerte
                                         CutMode::OnFace};
 inline constexpr const char* kCutModeNames[] = {"random", "vertex", "edge", "face"};
 
-/// One piece of a cut cube, or all of it. Edges of float pieces are moved into S exactly.
+/// The engine's own; what compares splitters puts others in its place.
 template <class S>
+struct EngineSplitter {
+  SplitOutcome operator()(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
+                          ConvexT<S>& above, ConvexT<S>& below) const {
+    return split<S>(parent, plane, mark, scratch, above, below);
+  }
+};
+
+/// One piece of a cut cube, or all of it. Edges of float pieces are moved into S exactly.
+template <class S, class Splitter = EngineSplitter<S>>
 class CutCube {
  public:
   /// Starts again when there are `mostPieces`.
@@ -45,7 +54,7 @@ class CutCube {
     chosen = random.nextBelow(static_cast<std::uint32_t>(count_));
     parent.assign(pieces_[chosen].view());
     plane = choosePlane();
-    const SplitOutcome outcome = split<S>(parent.view(), plane, {++cuts_, FaceKind::Cut}, scratch_, above, below);
+    const SplitOutcome outcome = splitter(parent.view(), plane, {++cuts_, FaceKind::Cut}, scratch_, above, below);
     if (outcome != SplitOutcome::Split) return outcome;
     pieces_[chosen].assign(above.view());
     pieces_[count_++].assign(below.view());
@@ -56,6 +65,7 @@ class CutCube {
   bool isFull() const { return count_ == pieces_.size(); }
   const ConvexT<S>& piece(std::size_t i) const { return pieces_[i]; }
 
+  Splitter splitter;
   Random random;
   std::uint32_t chosen = 0;
   PlaneT<S> plane;

@@ -1,0 +1,169 @@
+#include "tools/accuracy/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/random.h"
+
+namespace brittle::accuracy {
+namespace {
+
+constexpr int kResamples = 100;
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double reduced(const Figure& figure, const std::vector<Observation>& seen) {
+  std::vector<double> values;
+  for (const Observation& one : seen) values.push_back(figure.of(one));
+  return figure.isWorst ? *std::max_element(values.begin(), values.end()) : mean(values);
+}
+
+/// All variants' speeds, or those of the variants named.
+std::vector<float> speedsOf(const std::vector<Observation>& seen, const std::vector<std::uint32_t>& variants) {
+  std::vector<float> all;
+  for (const std::uint32_t i : variants) all.insert(all.end(), seen[i].speeds.begin(), seen[i].speeds.end());
+  return all;
+}
+
+double speedError(const std::vector<Observation>& seen, const std::vector<Observation>& reference,
+                  const std::vector<std::uint32_t>& variants) {
+  const std::vector<float> expected = speedsOf(reference, variants);
+  double sum = 0.0;
+  for (const float speed : expected) sum += static_cast<double>(speed);
+  if (sum == 0.0) return 0.0;
+  return 100.0 * wassersteinOf(speedsOf(seen, variants), expected) * static_cast<double>(expected.size()) / sum;
+}
+
+/// With the bounds that resampling the variants gives (bootstrap: Efron, Bootstrap Methods, 1979).
+Deviation speedErrorWithBounds(const std::vector<Observation>& seen, const std::vector<Observation>& reference) {
+  const auto count = static_cast<std::uint32_t>(std::min(seen.size(), reference.size()));
+  std::vector<std::uint32_t> variants(count);
+  for (std::uint32_t i = 0; i < count; ++i) variants[i] = i;
+  Deviation error;
+  error.value = speedError(seen, reference, variants);
+  Random random(5);
+  std::vector<double> resampled;
+  for (int sample = 0; sample < kResamples; ++sample) {
+    for (std::uint32_t& variant : variants) variant = random.nextBelow(count);
+    resampled.push_back(speedError(seen, reference, variants));
+  }
+  std::sort(resampled.begin(), resampled.end());
+  error.low = std::min(error.value, resampled[kResamples * 25 / 1000]);
+  error.high = std::max(error.value, resampled[kResamples * 975 / 1000]);
+  return error;
+}
+
+Deviation errorOf(const Figure& figure, const std::vector<Observation>& seen, const std::vector<Observation>& reference) {
+  if (seen.empty() || reference.empty()) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none};
+  }
+  if (figure.compared == Compared::AsSpeeds) return speedErrorWithBounds(seen, reference);
+  double value = reduced(figure, seen);
+  if (figure.compared == Compared::WithReference) {
+    const std::vector<Observation> same(reference.begin(),
+                                        reference.begin() + static_cast<std::ptrdiff_t>(
+                                                                std::min(seen.size(), reference.size())));
+    const double expected = reduced(figure, same);
+    value = 100.0 * std::abs(value - expected) / std::max(std::abs(expected), 1e-12);
+  }
+  return {value, value, value};
+}
+
+double exitSpeed(const Observation& seen) {
+  return 100.0 * seen.missedAtEnd[0] / seen.exactAtEnd[0];
+}
+double late(const Observation& seen) {
+  return 100.0 * seen.missedAtEnd[1];
+}
+double missed(const Observation& seen) {
+  return seen.missedAtEnd[0];
+}
+double wrong(const Observation& seen) {
+  return 100.0 * seen.missedAtEnd[0];
+}
+double worst(const Observation& seen) {
+  return seen.missedAtWorst[0];
+}
+
+}  // namespace
+
+std::span<const Figure> allFigures() {
+  using enum Compared;
+  static const Figure figures[] = {
+      {"panes", "exit speed", "%", WithExact, true, 2.0, exitSpeed},
+      {"panes", "place behind", "cm", WithExact, true, 10.0, late},
+      {"panes", "direction", "deg", WithExact, true, 1.0, [](const Observation& seen) { return seen.turned; }},
+      {"panes", "panes not broken", "", WithExact, true, 0.5, [](const Observation& seen) { return 6.0 - seen.broken; }},
+      {"panes", "shard push", "%", WithReference, false, 20.0, [](const Observation& seen) { return seen.push; }},
+      {"panes", "deferred breaks", "", WithExact, false, 0.0, [](const Observation& seen) { return seen.held; }},
+      {"grazes", "missed or ghost breaks", "%", WithExact, false, 1.0, wrong},
+      {"stack", "displacement", "mm", WithExact, true, 10.0, missed},
+      {"stack", "false breaks", "", WithExact, true, 0.5, [](const Observation& seen) { return seen.breaks; }},
+      {"shatter", "shard speeds", "%", AsSpeeds, false, 10.0, nullptr},
+      {"shatter", "momentum lost", "", WithExact, true, 1e-4, [](const Observation& seen) { return seen.momentumLost; }},
+      {"shatter", "energy gained", "", WithExact, true, 1e-3, [](const Observation& seen) { return seen.energyGained; }},
+      {"shatter", "overlap", "mm", WithExact, false, 0.0, [](const Observation& seen) { return seen.overlap; }},
+      {"swing", "angle", "deg", WithExact, true, 1.0, worst},
+      {"packed", "displacement", "mm", WithExact, true, 1.0, missed},
+      {"packed", "deepest overlap", "mm", WithExact, true, 1.0, [](const Observation& seen) { return seen.deepest; }},
+      {"flood", "shard speeds", "%", AsSpeeds, false, 20.0, nullptr},
+      {"flood", "overlap", "mm", WithExact, false, 2.0, [](const Observation& seen) { return seen.overlap; }},
+      {"flood", "deepest overlap", "mm", WithExact, true, 0.0, [](const Observation& seen) { return seen.deepest; }},
+      {"flood", "breakings", "%", WithReference, false, 20.0, [](const Observation& seen) { return seen.breaks; }},
+      {"flood", "fallen through the floor", "", WithExact, true, 0.5, [](const Observation& seen) { return seen.escaped; }},
+      {"flood", "volume lost", "", WithExact, true, 1e-4, [](const Observation& seen) { return seen.volumeLost; }},
+      {"flood", "volume no longer bodies", "%", WithExact, false, 5.0,
+       [](const Observation& seen) { return 100.0 * seen.crumbVolume; }},
+  };
+  return figures;
+}
+
+std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& seen,
+                            const std::vector<std::vector<Observation>>& reference) {
+  std::vector<Deviation> errors;
+  for (const Figure& figure : allFigures()) {
+    const auto scene = static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());
+    errors.push_back(errorOf(figure, seen[scene], reference[scene]));
+  }
+  return errors;
+}
+
+double scoreOf(const std::vector<Deviation>& errors) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double tolerance = allFigures()[i].tolerance;
+    if (tolerance == 0.0 || std::isnan(errors[i].value)) continue;
+    const double part = std::min(errors[i].value / tolerance, kWorst);
+    sum += part * part;
+    ++count;
+  }
+  return count == 0 ? 0.0 : std::sqrt(sum / count);
+}
+
+double wassersteinOf(std::vector<float> a, std::vector<float> b) {
+  if (a.empty() || b.empty()) return a.empty() && b.empty() ? 0.0 : 1e30;
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  const auto partBelow = [](std::size_t i, const std::vector<float>& sample) {
+    return static_cast<double>(i) / static_cast<double>(sample.size());
+  };
+  std::size_t i = 0, k = 0;
+  double area = 0.0, last = static_cast<double>(std::min(a[0], b[0]));
+  while (i < a.size() || k < b.size()) {
+    const bool isA = k == b.size() || (i < a.size() && a[i] < b[k]);
+    const double here = static_cast<double>(isA ? a[i] : b[k]);
+    area += (here - last) * std::abs(partBelow(i, a) - partBelow(k, b));
+    last = here;
+    ++(isA ? i : k);
+  }
+  return area;
+}
+
+}  // namespace brittle::accuracy

@@ -1,0 +1,59 @@
+// accuracy/study.h - plays every scene at every setting: once to see the errors, then again and again in turns for the
+// time, so that what else the machine does hits all settings alike.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "tools/accuracy/figures.h"
+#include "tools/accuracy/knobs.h"
+#include "tools/accuracy/room.h"
+
+namespace brittle::accuracy {
+
+/// How much is played.
+struct Effort {
+  bool quick = false;
+  /// Variants of a scene whose errors are observed, and that are timed in each repeat.
+  int observed(const Scene& scene) const;
+  int timed(const Scene& scene) const;
+  int repeats() const { return quick ? 1 : 3; }
+  int roomTicks() const { return quick ? 200 : 900; }
+};
+
+/// Processor time: per simulated second, median of the repeats, with the least and the most; of single ticks.
+struct Cost {
+  double perSecond = 0.0, low = 0.0, high = 0.0;  // [ms/s], mean of the scenes
+  double medianTick = 0.0, p99Tick = 0.0;         // over the ticks of all scenes [ms]
+  double instructions = 0.0;                      // per simulated second [1/s]; 0: not counted on this machine
+  std::vector<double> scenes;                     // per simulated second of each scene, median of the repeats [ms/s]
+  double roomMedian = 0.0, roomP99 = 0.0;         // of whole ticks of the game in the room [ms]
+  double roomBreaks = 0.0;
+};
+
+struct Scored {
+  Setting setting;
+  std::vector<Deviation> errors;  // as allFigures
+  double score = 0.0;
+  Cost cost;
+  bool isFront = false;  // no other setting is both cheaper and better
+};
+
+/// A step of the work is done.
+using Advance = std::function<void()>;
+
+using Reference = std::vector<std::vector<Observation>>;  // of all scenes
+Reference playAll(const physics::Accuracy& accuracy, const Effort& effort, const Advance& advance);
+
+Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Reference& reference, const Room& room,
+                                  const Effort& effort, const Advance& advance);
+/// How often `study` calls advance.
+int stepsOf(const std::vector<Setting>& settings, const Effort& effort);
+
+/// Marks what no other setting beats in both time and score.
+void markFront(std::vector<Scored>& scored);
+
+/// The value below which `part` of the values lie. 0: there are none.
+double quantileOf(std::vector<double> values, double part);
+
+}  // namespace brittle::accuracy

@@ -1,0 +1,102 @@
+#include <string>
+
+#include "tools/accuracy/csv.h"
+#include "tools/accuracy/outcome.h"
+
+namespace brittle::accuracy {
+namespace {
+
+Csv settingsOf(const Outcome& outcome) {
+  Csv csv({"knob", "value", "order", "default", "front", "score", "ms_per_s", "ms_per_s_least", "ms_per_s_most",
+           "median_tick_ms", "p99_tick_ms", "instructions_per_s", "room_median_ms", "room_p99_ms", "room_breaks"});
+  for (const Scored& one : outcome.scored)
+    csv.row() << one.setting.knob << one.setting.value << double(one.setting.order)
+              << double(one.setting.isDefault) << double(one.isFront) << one.score << one.cost.perSecond
+              << one.cost.low << one.cost.high << one.cost.medianTick << one.cost.p99Tick << one.cost.instructions
+              << one.cost.roomMedian << one.cost.roomP99 << one.cost.roomBreaks;
+  return csv;
+}
+
+Csv figuresOf(const Outcome& outcome) {
+  Csv csv({"knob", "value", "order", "scene", "figure", "unit", "error", "low", "high", "tolerance", "scene_ms_per_s"});
+  for (const Scored& one : outcome.scored)
+    for (std::size_t i = 0; i < one.errors.size(); ++i) {
+      const Figure& figure = allFigures()[i];
+      const auto scene = static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());
+      csv.row() << one.setting.knob << one.setting.value << double(one.setting.order) << std::string(figure.scene)
+                << std::string(figure.name) << std::string(figure.unit) << one.errors[i].value << one.errors[i].low
+                << one.errors[i].high << figure.tolerance << one.cost.scenes[scene];
+    }
+  return csv;
+}
+
+Csv panesOf(const std::vector<PanesRow>& rows) {
+  Csv csv({"how", "substeps", "panes", "speed", "phases", "exit_speed_error_percent", "mean_exit_speed_error_percent",
+           "behind_cm", "late_ms", "push_Ns", "not_broken", "turned_deg", "ms_per_s", "p99_tick_ms"});
+  for (const PanesRow& row : rows)
+    csv.row() << row.how << double(row.substeps) << double(row.panes) << double(row.speed) << double(row.phases)
+              << row.exitSpeedError << row.meanExitSpeedError << row.behind << row.late << row.push << row.notBroken
+              << row.turned << row.perSecond << row.p99Tick;
+  return csv;
+}
+
+Csv phasesOf(const std::vector<PhaseRow>& rows) {
+  std::vector<std::string> columns = {"rounds", "bodies"};
+  for (const char* name : kPhaseNames) columns.emplace_back(name);
+  Csv csv(columns);
+  for (const PhaseRow& row : rows) {
+    csv.row() << row.rounds << row.bodies;
+    for (const char* name : kPhaseNames) csv << row.ms.at(name);
+  }
+  return csv;
+}
+
+Csv splittersOf(const std::vector<SplitterRow>& rows) {
+  Csv csv({"splitter", "cuts", "attempts", "splits", "failures", "failures_per_million", "splits_per_s",
+           "worst_volume_error"});
+  for (const SplitterRow& row : rows)
+    csv.row() << row.splitter << row.cuts << row.attempts << row.splits << row.failures << row.failuresPerMillion
+              << row.splitsPerSecond << row.volumeError;
+  return csv;
+}
+
+Csv budgetOf(const std::vector<BudgetRow>& rows) {
+  Csv csv({"budget_ms", "setting", "score", "room_p99_ms", "ms_per_s"});
+  for (const BudgetRow& row : rows) {
+    if (row.best == nullptr) continue;
+    csv.row() << row.budget << row.best->setting.knob + " " + row.best->setting.value << row.best->score
+              << row.best->cost.roomP99 << row.best->cost.perSecond;
+  }
+  return csv;
+}
+
+}  // namespace
+
+std::vector<BudgetRow> budgetsOf(const std::vector<Scored>& scored) {
+  std::vector<BudgetRow> rows;
+  for (const double budget : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    BudgetRow row{budget, nullptr};
+    for (const Scored& one : scored)
+      if (one.cost.roomP99 <= budget && (row.best == nullptr || one.score < row.best->score)) row.best = &one;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Status writeTables(const Outcome& outcome, const std::string& folder) {
+  std::vector<PanesRow> panes = outcome.modes;
+  panes.insert(panes.end(), outcome.claim.begin(), outcome.claim.end());
+  const std::pair<const char*, Csv> tables[] = {
+      {"settings", settingsOf(outcome)},         {"figures", figuresOf(outcome)},
+      {"panes", panesOf(panes)},                 {"map", panesOf(outcome.map)},
+      {"phases", phasesOf(outcome.phases)},      {"splitters", splittersOf(outcome.splitters)},
+      {"budget", budgetOf(outcome.budgets)},
+  };
+  for (const auto& [name, csv] : tables) {
+    const Status written = csv.write(folder + "/" + name + ".csv");
+    if (!written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace brittle::accuracy
