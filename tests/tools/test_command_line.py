@@ -86,6 +86,34 @@ class CommandLine(unittest.TestCase):
             self.refused("explain", f"--rooms={rooms}", says="--rooms")
         self.refused("explain", "--room", "4294967295", says="no room 4294967295, it has")
 
+    def test_an_accuracy_that_is_none_is_refused_with_the_names(self):
+        names = "--accuracy fast: expected phone, balanced, accurate or reference"
+        for command in [["play"], ["explain"], ["smoke", self.folder / "game.lua"]]:
+            self.refused(*command, "--accuracy", "fast", says=names)
+        self.render("--accuracy", "fast", says=names)
+
+    def test_a_replay_is_played_at_the_accuracy_it_was_recorded_with(self):
+        states = set()
+        for preset in ["phone", "balanced", "accurate", "reference"]:
+            replay = self.folder / f"{preset}.brt"
+            result = brittle("smoke", self.folder / "game.lua", "--accuracy", preset, "--record", replay)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            verified = brittle("verify", replay)
+            self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+            states.add(verified.stdout.split()[-1])
+        self.assertEqual(len(states), 4, "presets that play the same")
+        self.assertEqual((self.folder / "balanced.brt").read_bytes(), self.replay.read_bytes())
+
+    def test_another_accuracy_renders_the_same_throws_otherwise(self):
+        frames = {}
+        for accuracy in [[], ["--accuracy", "balanced"], ["--accuracy", "phone"]]:
+            out = self.folder / ("frames" + "".join(accuracy))
+            result = brittle("render", self.replay, "--out", out, "--size", "64x36", "--frames", "150", "--backend", "osmesa", "--samples", "0", *accuracy)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            frames["".join(accuracy)] = (out / "frame_000150.png").read_bytes()
+        self.assertEqual(frames[""], frames["--accuracybalanced"])
+        self.assertNotEqual(frames[""], frames["--accuracyphone"])
+
     def test_missing_and_damaged_replays(self):
         self.render(replay=self.folder / "none.brt", says="no such file")
         self.refused("verify", self.folder, says="not a file, expected a replay (.brt)")

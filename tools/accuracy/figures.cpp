@@ -108,6 +108,8 @@ std::span<const Figure> allFigures() {
       {"shatter", "shard speeds", "%", AsSpeeds, false, 10.0, nullptr},
       {"shatter", "momentum lost", "", WithExact, true, 1e-4, [](const Observation& seen) { return seen.momentumLost; }},
       {"shatter", "energy gained", "", WithExact, true, 1e-3, [](const Observation& seen) { return seen.energyGained; }},
+      {"shatter", "bodies spoilt by numbers", "", WithExact, true, 0.5,
+       [](const Observation& seen) { return seen.spoilt; }},
       {"shatter", "overlap", "mm", WithExact, false, 0.0, [](const Observation& seen) { return seen.overlap; }},
       {"swing", "angle", "deg", WithExact, true, 1.0, worst},
       {"packed", "displacement", "mm", WithExact, true, 1.0, missed},

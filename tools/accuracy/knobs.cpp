@@ -17,21 +17,6 @@ std::string textOf(double value) {
   return text;
 }
 
-/// Whether two settings are the same in every number.
-bool isSame(const Accuracy& a, const Accuracy& b) {
-  struct Writer {
-    std::vector<double> numbers;
-    void operator()(FractureMode value) { numbers.push_back(static_cast<double>(value)); }
-    void operator()(ManifoldKind value) { numbers.push_back(static_cast<double>(value)); }
-    void operator()(double value) { numbers.push_back(value); }
-  };
-  Writer first, second;
-  Accuracy copyA = a, copyB = b;
-  copyA.serialize(first);
-  copyB.serialize(second);
-  return first.numbers == second.numbers;
-}
-
 class List {
  public:
   void add(const std::string& knob, const std::string& value, const Accuracy& accuracy) {
@@ -94,6 +79,20 @@ void addSwitch(List& list, const std::string& knob, bool Accuracy::*field) {
 }
 
 }  // namespace
+
+bool isSame(const Accuracy& a, const Accuracy& b) {
+  struct Writer {
+    std::vector<double> numbers;
+    void operator()(FractureMode value) { numbers.push_back(static_cast<double>(value)); }
+    void operator()(ManifoldKind value) { numbers.push_back(static_cast<double>(value)); }
+    void operator()(double value) { numbers.push_back(value); }
+  };
+  Writer first, second;
+  Accuracy copyA = a, copyB = b;
+  copyA.serialize(first);
+  copyB.serialize(second);
+  return first.numbers == second.numbers;
+}
 
 std::vector<Setting> knobSettings(bool quick) {
   List list;

@@ -24,6 +24,9 @@ std::vector<Setting> gridSettings(bool quick);
 /// The presets of engine/physics/accuracy.h by name.
 std::vector<Setting> presetSettings();
 
+/// Whether two settings are the same in every number: then they need to be measured once only.
+bool isSame(const physics::Accuracy& a, const physics::Accuracy& b);
+
 /// What everything is compared with: small steps, many iterations, no bound of rounds, nothing recycled or at rest.
 /// `fineness` 1 is the reference; 2 and 4 have sub-steps so many times as long, to show that it has converged.
 physics::Accuracy referenceAccuracy(int fineness = 1);

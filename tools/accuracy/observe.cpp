@@ -92,6 +92,7 @@ class Observer {
       seen_.missedAtWorst[i] = std::max(seen_.missedAtWorst[i], std::abs(one.value(world_) - one.exact(time)));
     }
     seen_.held += world_.counters().held;
+    seen_.spoilt += static_cast<double>(world_.events().quarantined.size());
     if (isFree_) lookAtMotion();
     lookAtOverlaps();
   }

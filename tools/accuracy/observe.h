@@ -26,6 +26,7 @@ struct Observation {
   double energyGained = 0.0;  // largest rise over the least so far, of the first tick's energy [-]; NaN with gravity
   double volumeLost = 0.0;    // of all there was [-]
   double crumbVolume = 0.0;   // of it that is debris at the end [-]
+  double spoilt = 0.0;        // bodies removed because a number in them was not finite
   double escaped = 0.0;       // bodies more than 0.5 m below y = -1 with gravity
   std::vector<float> speeds;  // of all dynamic bodies but the watched one at the end [m/s]
   std::vector<double> tickMs;  // processor time of each tick [ms]

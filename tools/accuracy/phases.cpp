@@ -43,36 +43,35 @@ class StepZones : public ZoneTimes {
   int solves_ = 0;
 };
 
-struct Tick {
-  double total = 0.0;
-  std::map<std::string, double> phases;
-  double bodies = 0.0;
+struct Flight {
+  std::map<std::string, double> ms;
+  int ticks = 0;
 };
 
-/// Every tick of one flight.
-std::vector<Tick> fly(const physics::Accuracy& accuracy) {
+/// The ticks of one flight that break something.
+Flight fly(const physics::Accuracy& accuracy) {
   physics::WorldDef def;
   def.accuracy = accuracy;
   def.gravity = Vec3::Zero();
   physics::World world(def);
   const Stage stage = buildPanes(world, {.panes = 6, .speed = 100.0f, .phase = 0.25f});
-  std::vector<Tick> ticks;
+  Flight flight;
   StepZones zones;
   for (int i = 0; i < static_cast<int>(stage.seconds / kTick); ++i) {
     zones.begin();
     const double before = cpuMilliseconds();
     world.step(kTick);
-    Tick& tick = ticks.emplace_back();
-    tick.total = cpuMilliseconds() - before;
+    const double total = cpuMilliseconds() - before;
+    if (world.counters().breaks == 0) continue;
+    ++flight.ticks;
     double inZones = 0.0;
     for (const auto& [zone, ms] : zones.milliseconds()) {
-      tick.phases[phaseOf(zone)] += ms;
+      flight.ms[phaseOf(zone)] += ms;
       inZones += ms;
     }
-    tick.phases[kOther] += std::max(tick.total - inZones, 0.0);
-    tick.bodies = world.counters().bodies;
+    flight.ms[kOther] += std::max(total - inZones, 0.0);
   }
-  return ticks;
+  return flight;
 }
 
 }  // namespace
@@ -84,18 +83,11 @@ std::vector<PhaseRow> measurePhases(const Effort& effort, const Advance& advance
     row.rounds = rounds == 0 ? "unbounded" : std::to_string(rounds);
     physics::Accuracy accuracy;
     accuracy.fractureRounds = rounds;
-    std::size_t heaviest = 0;
     std::map<std::string, std::vector<double>> found;
     for (int repeat = 0; repeat < (effort.quick ? 1 : 9); ++repeat) {
-      const std::vector<Tick> ticks = fly(accuracy);
-      const auto isLess = [](const Tick& a, const Tick& b) { return a.total < b.total; };
-      if (repeat == 0)
-        heaviest = static_cast<std::size_t>(std::max_element(ticks.begin(), ticks.end(), isLess) - ticks.begin());
-      for (const char* name : kPhaseNames) {
-        const auto part = ticks[heaviest].phases.find(name);
-        found[name].push_back(part == ticks[heaviest].phases.end() ? 0.0 : part->second);
-      }
-      row.bodies = ticks[heaviest].bodies;
+      Flight flight = fly(accuracy);
+      for (const char* name : kPhaseNames) found[name].push_back(flight.ms[name]);
+      row.ticks = flight.ticks;
     }
     for (const auto& [name, values] : found) row.ms[name] = quantileOf(values, 0.5);
     advance();

@@ -1,4 +1,4 @@
-// accuracy/phases.h - what a step consists of in which panes break: the time of each phase, by rounds.
+// accuracy/phases.h - what steps consist of in which panes break: the time of each phase, by rounds.
 #pragma once
 
 #include <map>
@@ -10,9 +10,9 @@
 namespace brittle::accuracy {
 
 struct PhaseRow {
-  std::string rounds;                 // "3", "unbounded"
-  std::map<std::string, double> ms;   // of each of kPhaseNames: median of the repeats
-  double bodies = 0.0;                // after the step
+  std::string rounds;                // "3", "unbounded"
+  std::map<std::string, double> ms;  // of each of kPhaseNames, in all ticks that break: median of the repeats
+  int ticks = 0;                     // that break something
 };
 
 /// Zones of engine/core/profile.h in the order of the step; what is left is "other".
@@ -20,7 +20,7 @@ inline constexpr const char* kPhaseNames[] = {"collide",       "limit impulses",
                                               "swap bodies",   "collide again",    "solve again", "advance strikers",
                                               "move and rest", "other"};
 
-/// The heaviest tick of a ball at 100 m/s that goes through six panes 5 cm apart.
+/// The ticks in which a ball at 100 m/s breaks six panes 5 cm apart: the fewer rounds, the more of them.
 std::vector<PhaseRow> measurePhases(const Effort& effort, const Advance& advance);
 inline constexpr int kPhaseRows = 5;
 

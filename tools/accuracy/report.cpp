@@ -150,9 +150,9 @@ std::string budgets(const Outcome& outcome) {
 std::string splitters(const Outcome& outcome) {
   std::string text =
       "## Splitters\n\nA cube cut to 512 pieces again and again (64 for exact numbers, which grow with every cut). A cut "
-      "fails if it leaves no two closed pieces with a volume that add up. The engine is built on floats throughout; the "
+      "fails if it leaves no two closed pieces with a volume that add up within 1e-6 m3. The engine is built on floats throughout; the "
       "splitter alone is a template of its scalar, so it is where float and double can be compared.\n\n";
-  Table table({"splitter", "planes", "attempts", "failures per million", "splits per second", "worst volume error"});
+  Table table({"splitter", "planes", "attempts", "failures per million", "splits per second", "worst volume error [m3]"});
   for (const SplitterRow& row : outcome.splitters)
     table.line({row.splitter, row.cuts, shortly(row.attempts, 7), shortly(row.failuresPerMillion),
                 shortly(row.splitsPerSecond), shortly(row.volumeError)});

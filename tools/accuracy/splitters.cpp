@@ -78,8 +78,8 @@ bool isSound(const ConvexT<S>& parent, const ConvexT<S>& above, const ConvexT<S>
   };
   const double whole = volume(parent), a = volume(above), b = volume(below);
   if (!(a > 0.0) || !(b > 0.0)) return false;
-  const double error = std::abs(a + b - whole) / whole;
-  if (error > 1e-3) return false;
+  const double error = std::abs(a + b - whole);  // of the cube's 1 m3
+  if (error > 1e-6) return false;
   volumeError = std::max(volumeError, error);
   return true;
 }

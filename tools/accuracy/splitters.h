@@ -13,10 +13,10 @@ struct SplitterRow {
   std::string splitter;  // "naive float"
   std::string cuts;      // "random", "vertex", "edge", "face"
   double attempts = 0.0, splits = 0.0;
-  double failures = 0.0;            // attempts that left no valid pair of pieces where there is one
+  double failures = 0.0;            // cuts that left no two closed pieces with a volume that add up within 1e-6 m3
   double failuresPerMillion = 0.0;  // attempts
   double splitsPerSecond = 0.0;     // processor time of the cuts alone
-  double volumeError = 0.0;         // worst |above + below - parent| / parent [-]
+  double volumeError = 0.0;         // worst |above + below - parent|, of a cube of 1 m3 [m3]
 };
 
 std::vector<SplitterRow> compareSplitters(const Effort& effort, const Advance& advance);

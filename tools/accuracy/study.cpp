@@ -66,6 +66,16 @@ Cost costOf(const Taken& taken) {
   return cost;
 }
 
+/// Indices of the first setting of each kind: the default is among the values of every knob.
+std::vector<std::size_t> differentOf(const std::vector<Setting>& settings) {
+  std::vector<std::size_t> different;
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    if (std::none_of(different.begin(), different.end(),
+                     [&](std::size_t k) { return isSame(settings[k].accuracy, settings[i].accuracy); }))
+      different.push_back(i);
+  return different;
+}
+
 }  // namespace
 
 int Effort::observed(const Scene& scene) const {
@@ -93,28 +103,37 @@ Reference playAll(const physics::Accuracy& accuracy, const Effort& effort, const
 }
 
 int stepsOf(const std::vector<Setting>& settings, const Effort& effort) {
-  return static_cast<int>(settings.size()) * (static_cast<int>(allScenes().size()) + effort.repeats());
+  return static_cast<int>(differentOf(settings).size()) *
+         (static_cast<int>(allScenes().size()) + effort.repeats());
 }
 
 Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Reference& reference, const Room& room,
                                   const Effort& effort, const Advance& advance) {
-  std::vector<Scored> scored;
-  for (const Setting& setting : settings) {
-    Scored& one = scored.emplace_back();
-    one.setting = setting;
-    one.errors = errorsOf(playAll(setting.accuracy, effort, advance), reference);
-    one.score = scoreOf(one.errors);
+  const std::vector<std::size_t> different = differentOf(settings);
+  std::vector<Scored> measured(different.size());
+  for (std::size_t i = 0; i < different.size(); ++i) {
+    measured[i].errors = errorsOf(playAll(settings[different[i]].accuracy, effort, advance), reference);
+    measured[i].score = scoreOf(measured[i].errors);
   }
-  std::vector<Taken> taken(settings.size());
+  std::vector<Taken> taken(different.size());
   for (int repeat = 0; repeat < effort.repeats(); ++repeat)
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-      timeOnce(settings[i], effort, taken[i]);
-      if (const Status played = repeat == 0 ? playRoom(settings[i], room, taken[i]) : Done{}; !played)
+    for (std::size_t i = 0; i < different.size(); ++i) {
+      const Setting& setting = settings[different[i]];
+      timeOnce(setting, effort, taken[i]);
+      if (const Status played = repeat == 0 ? playRoom(setting, room, taken[i]) : Done{}; !played)
         return played.error();
       advance();
     }
-  for (std::size_t i = 0; i < settings.size(); ++i) scored[i].cost = costOf(taken[i]);
-  markFront(scored);
+  for (std::size_t i = 0; i < different.size(); ++i) measured[i].cost = costOf(taken[i]);
+  markFront(measured);
+  std::vector<Scored> scored;
+  for (const Setting& setting : settings) {
+    const auto same = std::find_if(different.begin(), different.end(), [&](std::size_t i) {
+      return isSame(settings[i].accuracy, setting.accuracy);
+    });
+    scored.push_back(measured[static_cast<std::size_t>(same - different.begin())]);
+    scored.back().setting = setting;
+  }
   return scored;
 }
 

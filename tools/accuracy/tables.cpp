@@ -41,11 +41,11 @@ Csv panesOf(const std::vector<PanesRow>& rows) {
 }
 
 Csv phasesOf(const std::vector<PhaseRow>& rows) {
-  std::vector<std::string> columns = {"rounds", "bodies"};
+  std::vector<std::string> columns = {"rounds", "ticks"};
   for (const char* name : kPhaseNames) columns.emplace_back(name);
   Csv csv(columns);
   for (const PhaseRow& row : rows) {
-    csv.row() << row.rounds << row.bodies;
+    csv.row() << row.rounds << double(row.ticks);
     for (const char* name : kPhaseNames) csv << row.ms.at(name);
   }
   return csv;
@@ -53,7 +53,7 @@ Csv phasesOf(const std::vector<PhaseRow>& rows) {
 
 Csv splittersOf(const std::vector<SplitterRow>& rows) {
   Csv csv({"splitter", "cuts", "attempts", "splits", "failures", "failures_per_million", "splits_per_s",
-           "worst_volume_error"});
+           "worst_volume_error_m3"});
   for (const SplitterRow& row : rows)
     csv.row() << row.splitter << row.cuts << row.attempts << row.splits << row.failures << row.failuresPerMillion
               << row.splitsPerSecond << row.volumeError;

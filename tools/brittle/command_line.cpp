@@ -36,6 +36,14 @@ void addAssets(CLI::App& command, std::string& assets) {
       ->type_name("DIR");
 }
 
+void addAccuracy(CLI::App& command, std::string& accuracy, const std::string& otherwise) {
+  command
+      .add_option("--accuracy", accuracy,
+                  "phone, balanced, accurate or reference: what tools/accuracy found best for its time (default: " +
+                      otherwise + ")")
+      ->type_name("PRESET");
+}
+
 void addGame(CLI::App& command, GameOptions& game) {
   command.add_option("LEVEL", game.level, "name of the level: levels/LEVEL.xml in the assets")->capture_default_str();
   command.add_option("--seed", game.seed, "the same seed gives the same game")
@@ -46,6 +54,7 @@ void addGame(CLI::App& command, GameOptions& game) {
   command.add_option("--room", game.room, "start at this room of the level, from 0")
       ->capture_default_str()
       ->type_name("N");
+  addAccuracy(command, game.accuracy, "balanced; a replay records it");
   addAssets(command, game.assets);
 }
 
@@ -61,7 +70,7 @@ void addPlay(CLI::App& app, Action& action) {
   command->add_flag("--mute", options->mute, "without sound");
   command->footer(
       "Touch or click: throw. P: pause. R: restart. F3: frame time. Escape: leave.\n\nExamples:\n"
-      "  brittle play\n  brittle play first --seed 7 --record game.brt");
+      "  brittle play\n  brittle play first --seed 7 --record game.brt\n  brittle play --accuracy phone");
   command->callback([options, &action] { action = [options] { return play(*options); }; });
 }
 
@@ -89,6 +98,7 @@ void addRender(CLI::App& app, Action& action) {
   command->add_option("--samples", options->samples, "multisampling: 0 or 4")
       ->capture_default_str()
       ->check(CLI::IsMember({0, 4}));
+  addAccuracy(*command, options->accuracy, "what was recorded; another one plays the same throws");
   addAssets(*command, options->assets);
   command->footer(
       "Examples:\n  brittle render game.brt --out frames --size 1280x720 --frames 600..900\n"
@@ -122,6 +132,7 @@ void addSmoke(CLI::App& app, Action& action) {
       ->check(CLI::Range(1u, 10000u));
   command->add_option("--set", options->settings, "what setting(\"NAME\", ...) answers in the script")
       ->type_name("NAME=TEXT");
+  addAccuracy(*command, options->accuracy, "balanced; a replay records it");
   addAssets(*command, options->assets);
   command->footer(
       "A script throws at ticks and says what must come of it:\n"

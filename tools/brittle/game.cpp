@@ -40,6 +40,13 @@ bool isPlayable(const sim::GameDef& def) {
          isWithin(def.distance, 0.0f, 1e9f);
 }
 
+std::vector<unsigned char> settingsOf(sim::GameDef def) {
+  ByteWriter out;
+  SaveArchive archive(out);
+  serializeSettings(archive, def);
+  return out.bytes();
+}
+
 std::string hex(std::uint64_t value) {
   char text[20];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
@@ -66,12 +73,23 @@ Result<sim::GameDef> defOf(const GameOptions& options) {
   def.level = options.level;
   def.seed = options.seed;
   def.firstRoom = options.room;
+  const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
+  if (!accuracy) return accuracy.error();
+  def.accuracy = *accuracy;
   for (const auto& [name, mode] : kModes)
     if (options.mode == name) {
       def.mode = mode;
       return def;
     }
   return Error{"--mode " + options.mode + ": expected training, classic, mayhem or zen"};
+}
+
+Result<physics::Accuracy> accuracyOf(const std::string& preset) {
+  if (const auto accuracy = physics::preset(preset)) return *accuracy;
+  std::string names;
+  for (const std::string_view name : physics::presetNames())
+    names += (names.empty() ? "" : name == physics::presetNames().back() ? " or " : ", ") + std::string(name);
+  return Error{"--accuracy " + preset + ": expected " + names};
 }
 
 Result<std::unique_ptr<GameSimulation>> openGame(const content::AssetSource& assets, const sim::GameDef& def) {
@@ -81,17 +99,14 @@ Result<std::unique_ptr<GameSimulation>> openGame(const content::AssetSource& ass
 }
 
 replay::Start startOf(const sim::Game& game) {
-  sim::GameDef def = game.def();
-  ByteWriter out;
-  SaveArchive archive(out);
-  serializeSettings(archive, def);
+  const sim::GameDef& def = game.def();
   replay::Start start;
   start.simulationVersion = sim::rules::kSimulationVersion;
   start.contentHash = game.contentHash();
   start.seed = def.seed;
   start.mode = static_cast<std::uint32_t>(def.mode);
   start.level = def.level;
-  start.settings = out.bytes();
+  start.settings = settingsOf(def);
   return start;
 }
 
@@ -114,6 +129,15 @@ Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& a
                    "recorded with other content: " + hex(replay.start.contentHash) + ", the files here are " +
                        hex(here) + "; play it with the files it was recorded with (--assets DIR)");
   return simulation;
+}
+
+Status playAt(const physics::Accuracy& accuracy, const std::string& name, replay::Replay& replay) {
+  Result<sim::GameDef> def = defOf(replay.start, name);
+  if (!def) return def.error();
+  def->accuracy = accuracy;
+  replay.start.settings = settingsOf(*def);
+  replay.snapshots.clear();
+  return Done{};
 }
 
 }  // namespace brittle::program

@@ -27,6 +27,8 @@ class GameSimulation : public replay::Simulation {
 };
 
 Result<sim::GameDef> defOf(const GameOptions& options);
+/// The preset that --accuracy names.
+Result<physics::Accuracy> accuracyOf(const std::string& preset);
 /// A fresh game from its definition; `assets` must outlive it.
 Result<std::unique_ptr<GameSimulation>> openGame(const content::AssetSource& assets, const sim::GameDef& def);
 
@@ -38,6 +40,9 @@ Result<replay::Replay> loadReplay(const std::string& path);
 /// messages.
 Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& assets, const replay::Replay& replay,
                                                    const std::string& name);
+
+/// Makes of a recorded game the same throws at another accuracy: without the snapshots, which are of the recorded one.
+Status playAt(const physics::Accuracy& accuracy, const std::string& name, replay::Replay& replay);
 
 /// The folder of levels: `folder`, or the one that came with the program if it is empty. Refuses one that is not there.
 Result<std::unique_ptr<content::AssetSource>> openAssets(const std::string& folder);

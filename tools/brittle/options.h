@@ -41,6 +41,7 @@ struct GameOptions {
   std::uint64_t seed = 1;
   std::string mode = "classic";
   std::uint32_t room = 0;
+  std::string accuracy = "balanced";
   std::string assets;  // empty: the folder that came with the program
 };
 
@@ -58,6 +59,7 @@ struct RenderOptions {
   std::string frames;  // empty: all
   std::uint32_t every = 1;
   std::string backend = "egl";
+  std::string accuracy;  // empty: what was recorded
   int samples = 4;
 };
 
@@ -72,6 +74,7 @@ struct SmokeOptions {
   std::string record;                 // of a single script
   std::uint32_t seeds = 0;            // play each script with seeds 1 to this; 0: with its own
   std::vector<std::string> settings;  // NAME=TEXT
+  std::string accuracy = "balanced";
   std::string assets;
 };
 

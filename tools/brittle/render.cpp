@@ -181,8 +181,13 @@ int render(const RenderOptions& options) {
   if (options.out.empty() && options.sound.empty())
     return refuse(
         {"--out DIR for pictures, --out FILE.mp4 for a video or --sound FILE is needed (brittle render --help)"});
-  const Result<replay::Replay> replay = loadReplay(options.replay);
+  Result<replay::Replay> replay = loadReplay(options.replay);
   if (!replay) return refuse(replay.error());
+  if (!options.accuracy.empty()) {
+    const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
+    if (!accuracy) return refuse(accuracy.error());
+    if (const Status other = playAt(*accuracy, options.replay, *replay); !other) return refuse(other.error());
+  }
   const Result<FrameRange> frames = framesOf(options.frames, replay->ticks());
   if (!frames) return refuse(frames.error());
   const auto assets = openAssets(options.assets);

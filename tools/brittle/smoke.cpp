@@ -88,6 +88,9 @@ void playOne(const content::AssetSource& assets, const std::string& path, const 
 Result<sim::SmokeSettings> settingsOf(const SmokeOptions& options) {
   sim::SmokeSettings settings;
   settings.isCalledOff = isInterrupted;
+  const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
+  if (!accuracy) return refuse(accuracy.error());
+  settings.accuracy = *accuracy;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) return Error{"--set " + setting + ": expected NAME=TEXT"};

@@ -1,8 +1,9 @@
 #include "engine/physics/accuracy.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <limits>
+#include <set>
 
 #include "engine/core/byte_stream.h"
 #include "engine/physics/state.h"
@@ -51,6 +52,26 @@ TEST(Accuracy, WhatIsBeyondARangeIsNot) {
     change(accuracy);
     EXPECT_FALSE(isWithinRange(accuracy)) << &change - beyond;
   }
+}
+
+TEST(Accuracy, PresetsAreUsableAllDifferentAndBalancedIsTheDefault) {
+  std::vector<std::string> written;
+  for (const std::string_view name : presetNames()) {
+    const std::optional<Accuracy> found = preset(name);
+    ASSERT_TRUE(found) << name;
+    EXPECT_TRUE(isWithinRange(*found)) << name;
+    World world({.accuracy = *found});
+    ByteWriter out;
+    world.save(out);
+    written.emplace_back(out.bytes().begin(), out.bytes().end());
+  }
+  World plain;
+  ByteWriter out;
+  plain.save(out);
+  EXPECT_EQ(written[1], std::string(out.bytes().begin(), out.bytes().end()));
+  EXPECT_THAT(presetNames(), testing::ElementsAre("phone", "balanced", "accurate", "reference"));
+  EXPECT_EQ(std::set<std::string>(written.begin(), written.end()).size(), written.size());
+  EXPECT_FALSE(preset("fast"));
 }
 
 TEST(Accuracy, ASnapshotWithSettingsBeyondTheirRangeIsRefused) {
