@@ -24,11 +24,10 @@ struct Outcome {
 };
 
 /// Panes light enough that all the shards in the way weigh at most 0.1 % of the ball.
-Outcome shoot(int panes, float speed, float dt, int phase, int rounds) {
+Outcome shoot(int panes, float speed, float dt, int phase) {
   WorldDef def;
   def.gravity = Vec3::Zero();
-  def.accuracy.fractureRounds = rounds;
-  def.accuracy.patternDensity = 0.3f;  // fewer shards: what is tested is the striker
+  def.accuracy.patternDensity = 0.3f;  // fewer shards: what is tested is the striker; all else is the default's
   const float density = minOf(2.0f, 8.0f / static_cast<float>(panes));
   World world(def);
   for (int i = 0; i < panes; ++i)
@@ -60,7 +59,7 @@ class B21 : public testing::TestWithParam<int> {};
 void expectExactExit(int panes, float speed, float dt) {
   const float left = speed - static_cast<float>(panes) * kStrength / kMass;
   for (int phase = 0; phase < 64; ++phase) {
-    const Outcome outcome = shoot(panes, speed, dt, phase, 3);
+    const Outcome outcome = shoot(panes, speed, dt, phase);
     EXPECT_EQ(outcome.broken, panes) << speed << " m/s, dt 1/" << 1.0f / dt << ", phase " << phase;
     EXPECT_NEAR(outcome.exitSpeed, left, 0.02f * left) << speed << " m/s, dt 1/" << 1.0f / dt << ", phase " << phase;
     hard::reportWorst("exit speed off by", 100.0 * std::abs(outcome.exitSpeed - left) / left, "%");
@@ -72,7 +71,7 @@ void expectExactExit(int panes, float speed, float dt) {
 void expectStop(int panes, float speed, float dt) {
   const int broken = static_cast<int>(kMass * speed / kStrength);
   for (int phase = 0; phase < 64; ++phase) {
-    const Outcome outcome = shoot(panes, speed, dt, phase, 3);
+    const Outcome outcome = shoot(panes, speed, dt, phase);
     EXPECT_EQ(outcome.broken, broken) << speed << " m/s, dt 1/" << 1.0f / dt << ", phase " << phase;
     EXPECT_NEAR(outcome.exitSpeed, 0.0f, 0.02f) << speed << " m/s, dt 1/" << 1.0f / dt << ", phase " << phase;
     hard::reportSum("shots", 1);
@@ -81,7 +80,7 @@ void expectStop(int panes, float speed, float dt) {
 }
 
 void shootAtAll(int panes, float dt) {
-  for (const float speed : {20.0f, 5.0f, 50.0f, 100.0f, 200.0f}) {
+  for (const float speed : {5.0f, 10.0f, 20.0f, 50.0f, 100.0f, 200.0f}) {
     if (speed > static_cast<float>(panes) * kStrength / kMass) {
       expectExactExit(panes, speed, dt);
     } else {

@@ -105,14 +105,18 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((self.folder / "balanced.brt").read_bytes(), self.replay.read_bytes())
 
     def test_another_accuracy_renders_the_same_throws_otherwise(self):
+        replay = self.folder / "window.brt"
+        result = brittle("smoke", "tests/smoke/first_window.lua", "--record", replay)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         frames = {}
-        for accuracy in [[], ["--accuracy", "balanced"], ["--accuracy", "phone"]]:
-            out = self.folder / ("frames" + "".join(accuracy))
-            result = brittle("render", self.replay, "--out", out, "--size", "64x36", "--frames", "150", "--backend", "osmesa", "--samples", "0", *accuracy)
+        for accuracy in ["", "balanced", "reference"]:
+            out = self.folder / f"frames {accuracy}"
+            result = brittle("render", replay, "--out", out, "--size", "320x180", "--frames", "240", "--backend", "osmesa",
+                             *(["--accuracy", accuracy] if accuracy else []))
             self.assertEqual(result.returncode, 0, result.stderr)
-            frames["".join(accuracy)] = (out / "frame_000150.png").read_bytes()
-        self.assertEqual(frames[""], frames["--accuracybalanced"])
-        self.assertNotEqual(frames[""], frames["--accuracyphone"])
+            frames[accuracy] = (out / "frame_000240.png").read_bytes()
+        self.assertEqual(frames[""], frames["balanced"])
+        self.assertTrue(frames[""] != frames["reference"], "the same picture")
 
     def test_missing_and_damaged_replays(self):
         self.render(replay=self.folder / "none.brt", says="no such file")
