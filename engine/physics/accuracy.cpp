@@ -14,12 +14,12 @@ bool isWithin(T value, T low, T high) {
 
 bool isWithinRange(const Accuracy& a) {
   return a.fractureMode <= FractureMode::AfterStepBlended && isWithin(a.fractureRounds, 0, 64) &&
-         isWithin(a.blend, 0.0f, 1.0f) && isWithin(a.iterations, 1, 10'000) && isWithin(a.positionIterations, 0, 100) &&
-         isWithin(a.substeps, 1, 64) && a.manifold.kind <= ManifoldKind::Clipped &&
-         isWithin(a.manifold.recycleDistance, 0.0f, 1.0f) && isWithin(a.speculativeMargin, 0.0f, 1.0f) &&
-         isWithin(a.patternDensity, 0.1f, 10.0f) && isWithin(a.minVolumeScale, 0.0f, 1e6f) &&
-         isWithin(a.maxDebris, 0, 1'000'000) && isWithin(a.maxBodies, 0, 1'000'000) &&
-         isWithin(a.directSolveMassRatio, 0.0f, 1e9f);
+         isWithin(a.fastRounds, 0, 64) && isWithin(a.blend, 0.0f, 1.0f) && isWithin(a.iterations, 1, 10'000) &&
+         isWithin(a.positionIterations, 0, 100) && isWithin(a.substeps, 1, 64) &&
+         a.manifold.kind <= ManifoldKind::Clipped && isWithin(a.manifold.recycleDistance, 0.0f, 1.0f) &&
+         isWithin(a.speculativeMargin, 0.0f, 1.0f) && isWithin(a.patternDensity, 0.1f, 10.0f) &&
+         isWithin(a.minVolumeScale, 0.0f, 1e6f) && isWithin(a.maxDebris, 0, 1'000'000) &&
+         isWithin(a.maxBodies, 0, 1'000'000) && isWithin(a.directSolveMassRatio, 0.0f, 1e9f);
 }
 
 std::span<const std::string_view> presetNames() {
@@ -31,12 +31,10 @@ std::optional<Accuracy> preset(std::string_view name) {
   if (name == "balanced") return accuracy;
   if (name == "phone") {
     accuracy.iterations = 4;
-    accuracy.patternDensity = 0.5f;
   } else if (name == "accurate") {
-    accuracy.iterations = 32;
+    accuracy.iterations = 16;
     accuracy.substeps = 2;
   } else if (name == "reference") {
-    accuracy.fractureRounds = 0;
     accuracy.iterations = 32;
     accuracy.substeps = 8;
   } else {

@@ -21,6 +21,8 @@ enum class FractureMode : std::uint8_t {
 struct Accuracy {
   FractureMode fractureMode = FractureMode::InStep;
   std::int32_t fractureRounds = 3;      // breakings one after another within a tick, 1 to 64; 0: unbounded
+  std::int32_t fastRounds = 8;          // InStep: up to so many while what strikes goes farther than its own size in a
+                                        // tick and would hang in the air until the next one, 0 to 64; 0: no more
   bool impulseCap = true;               // off: contacts with breakable bodies are rigid until they break (comparison)
   float blend = 0.5f;                   // AfterStepBlended: v = v_old t + v_new (1 - t) [-], 0 to 1
   std::int32_t iterations = 10;         // velocity iterations, 1 to 10000
@@ -40,6 +42,7 @@ struct Accuracy {
   void serialize(Archive& a) {
     a(fractureMode);
     a(fractureRounds);
+    a(fastRounds);
     a(impulseCap);
     a(blend);
     a(iterations);

@@ -211,6 +211,13 @@ bool findSaturated(State& state) {
   return any;
 }
 
+bool isStruckFast(const State& state, float dt) {
+  return std::any_of(state.strikes.list.begin(), state.strikes.list.end(), [&](const Strike& strike) {
+    const float size = 2.0f * state.bodies[sweptBody(state, strike)].radius;
+    return strike.saturated && strike.mayBreak && strike.relativeVelocity.norm() * dt > size;
+  });
+}
+
 fracture::Impact impactOf(const State& state, const Strike& strike) {
   const Body& struck = state.bodies[strike.struck];
   const Body& body = state.bodies[strike.body];

@@ -109,6 +109,8 @@ void limitImpulses(State& state, float dt);
 /// After a solve: which strikes were not stopped by all they may spend. Per striking body only those count that it
 /// reached.
 bool findSaturated(State& state);
+/// Whether something that is to break was struck by what goes farther than its own size within the tick.
+bool isStruckFast(const State& state, float dt);
 /// After the last round: what is saturated breaks next tick; its striker's motion ends where it is.
 void holdSaturated(State& state, float dt);
 

@@ -26,6 +26,13 @@ int maxRounds(const Accuracy& accuracy) {
   return accuracy.fractureRounds == 0 ? kUnboundedRounds : accuracy.fractureRounds;
 }
 
+/// Whether what is saturated breaks in this tick still.
+bool mayBreakOn(const State& state, int round, float dt) {
+  if (round < maxRounds(state.accuracy)) return true;
+  if (state.accuracy.fractureMode != FractureMode::InStep || round >= state.accuracy.fastRounds) return false;
+  return isStruckFast(state, dt);
+}
+
 void solve(State& state, float dt, bool isFirstPass) {
   BR_ZONE("solve");
   ContactSolver& solver = state.contactSolver;
@@ -52,7 +59,7 @@ void solveAndBreak(State& state, float dt) {
     limitImpulses(state, dt);
     solve(state, dt, pass == 0);
     ++state.counters.passes;
-    if (findSaturated(state) && round < maxRounds(state.accuracy)) {
+    if (findSaturated(state) && mayBreakOn(state, round, dt)) {
       fractureSaturated(state);
       detectCollisionsOf(state, state.touchedBodies, dt);
       state.counters.rounds = static_cast<std::uint32_t>(++round);

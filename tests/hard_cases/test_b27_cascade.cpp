@@ -22,6 +22,7 @@ Cascade run(int rounds, int phase) {
   WorldDef def;
   def.gravity = Vec3::Zero();
   def.accuracy.fractureRounds = rounds;
+  def.accuracy.fastRounds = 0;  // what is put off is the case
   def.accuracy.patternDensity = 0.5f;
   World world(def);
   for (int i = 0; i < 4; ++i)
@@ -86,6 +87,7 @@ Dominoes push(int rounds, float gap, int phase) {
   WorldDef def;
   def.gravity = Vec3::Zero();
   def.accuracy.fractureRounds = rounds;
+  def.accuracy.fastRounds = 0;  // what is put off is the case
   World world(def);
   for (int i = 0; i < 4; ++i) addDomino(world, i, gap);
   BodyDef striker = bodyAt(Vec3(0.003f, 0.002f, 0.125f + 0.3f * static_cast<float>(phase) / 64.0f));

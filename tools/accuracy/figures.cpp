@@ -58,7 +58,8 @@ Deviation speedErrorWithBounds(const std::vector<Observation>& seen, const std::
   return error;
 }
 
-Deviation errorOf(const Figure& figure, const std::vector<Observation>& seen, const std::vector<Observation>& reference) {
+Deviation errorOf(const Figure& figure, const std::vector<Observation>& seen,
+                  const std::vector<Observation>& reference) {
   if (seen.empty() || reference.empty()) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none, none};
@@ -66,9 +67,8 @@ Deviation errorOf(const Figure& figure, const std::vector<Observation>& seen, co
   if (figure.compared == Compared::AsSpeeds) return speedErrorWithBounds(seen, reference);
   double value = reduced(figure, seen);
   if (figure.compared == Compared::WithReference) {
-    const std::vector<Observation> same(reference.begin(),
-                                        reference.begin() + static_cast<std::ptrdiff_t>(
-                                                                std::min(seen.size(), reference.size())));
+    const std::vector<Observation> same(
+        reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(std::min(seen.size(), reference.size())));
     const double expected = reduced(figure, same);
     value = 100.0 * std::abs(value - expected) / std::max(std::abs(expected), 1e-12);
   }
@@ -99,15 +99,18 @@ std::span<const Figure> allFigures() {
       {"panes", "exit speed", "%", WithExact, true, 2.0, exitSpeed},
       {"panes", "place behind", "cm", WithExact, true, 10.0, late},
       {"panes", "direction", "deg", WithExact, true, 1.0, [](const Observation& seen) { return seen.turned; }},
-      {"panes", "panes not broken", "", WithExact, true, 0.5, [](const Observation& seen) { return 6.0 - seen.broken; }},
+      {"panes", "panes not broken", "", WithExact, true, 0.5,
+       [](const Observation& seen) { return 6.0 - seen.broken; }},
       {"panes", "shard push", "%", WithReference, false, 20.0, [](const Observation& seen) { return seen.push; }},
       {"panes", "deferred breaks", "", WithExact, false, 0.0, [](const Observation& seen) { return seen.held; }},
       {"grazes", "missed or ghost breaks", "%", WithExact, false, 1.0, wrong},
       {"stack", "displacement", "mm", WithExact, true, 10.0, missed},
       {"stack", "false breaks", "", WithExact, true, 0.5, [](const Observation& seen) { return seen.breaks; }},
       {"shatter", "shard speeds", "%", AsSpeeds, false, 10.0, nullptr},
-      {"shatter", "momentum lost", "", WithExact, true, 1e-4, [](const Observation& seen) { return seen.momentumLost; }},
-      {"shatter", "energy gained", "", WithExact, true, 1e-3, [](const Observation& seen) { return seen.energyGained; }},
+      {"shatter", "momentum lost", "", WithExact, true, 1e-4,
+       [](const Observation& seen) { return seen.momentumLost; }},
+      {"shatter", "energy gained", "", WithExact, true, 1e-3,
+       [](const Observation& seen) { return seen.energyGained; }},
       {"shatter", "bodies spoilt by numbers", "", WithExact, true, 0.5,
        [](const Observation& seen) { return seen.spoilt; }},
       {"shatter", "overlap", "mm", WithExact, false, 0.0, [](const Observation& seen) { return seen.overlap; }},
@@ -118,7 +121,8 @@ std::span<const Figure> allFigures() {
       {"flood", "overlap", "mm", WithExact, false, 2.0, [](const Observation& seen) { return seen.overlap; }},
       {"flood", "deepest overlap", "mm", WithExact, true, 0.0, [](const Observation& seen) { return seen.deepest; }},
       {"flood", "breakings", "%", WithReference, false, 20.0, [](const Observation& seen) { return seen.breaks; }},
-      {"flood", "fallen through the floor", "", WithExact, true, 0.5, [](const Observation& seen) { return seen.escaped; }},
+      {"flood", "fallen through the floor", "", WithExact, true, 0.5,
+       [](const Observation& seen) { return seen.escaped; }},
       {"flood", "volume lost", "", WithExact, true, 1e-4, [](const Observation& seen) { return seen.volumeLost; }},
       {"flood", "volume no longer bodies", "%", WithExact, false, 5.0,
        [](const Observation& seen) { return 100.0 * seen.crumbVolume; }},
@@ -127,7 +131,7 @@ std::span<const Figure> allFigures() {
 }
 
 std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& seen,
-                            const std::vector<std::vector<Observation>>& reference) {
+                                const std::vector<std::vector<Observation>>& reference) {
   std::vector<Deviation> errors;
   for (const Figure& figure : allFigures()) {
     const auto scene = static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());

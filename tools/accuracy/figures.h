@@ -33,12 +33,13 @@ struct Deviation {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-/// One error for each of allFigures, from all variants of every scene: `seen[s]` and `reference[s]` are those of scene s
-/// of allScenes. NaN: the scene was not played.
+/// One error for each of allFigures, from all variants of every scene: `seen[s]` and `reference[s]` are those of scene
+/// s of allScenes. NaN: the scene was not played.
 std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& seen,
-                            const std::vector<std::vector<Observation>>& reference);
+                                const std::vector<std::vector<Observation>>& reference);
 
-/// The errors as one number: root mean square of error / tolerance, each at most kWorst. 1: as much as one would notice.
+/// The errors as one number: root mean square of error / tolerance, each at most kWorst. 1: as much as one would
+/// notice.
 inline constexpr double kWorst = 10.0;
 double scoreOf(const std::vector<Deviation>& errors);
 

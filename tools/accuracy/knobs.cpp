@@ -53,8 +53,10 @@ void addModes(List& list) {
   for (const int rounds : {1, 2, 3, 5, 0}) {
     Accuracy accuracy;
     accuracy.fractureRounds = rounds;
+    accuracy.fastRounds = 0;
     list.add("fracture", rounds == 0 ? "unbounded" : std::to_string(rounds), accuracy);
   }
+  list.add("fracture", "3 to 8", {});
 }
 
 void addManifolds(List& list) {
@@ -102,6 +104,7 @@ std::vector<Setting> knobSettings(bool quick) {
     list.sweep("substeps", &Accuracy::substeps, {1, 2, 4});
     return list.take();
   }
+  list.sweep("fast rounds", &Accuracy::fastRounds, {0, 4, 8, 16, 64});
   list.sweep("iterations", &Accuracy::iterations, {2, 4, 10, 16, 32, 64, 128, 256});
   list.sweep("substeps", &Accuracy::substeps, {1, 2, 4, 8, 16});
   list.sweep("position iterations", &Accuracy::positionIterations, {0, 1, 3, 8, 16});

@@ -19,7 +19,7 @@ struct Convergence {
 
 /// What a tick may take, and the best that can be had for it.
 struct BudgetRow {
-  double budget = 0.0;  // [ms]
+  double budget = 0.0;           // [ms]
   const Scored* best = nullptr;  // null: nothing is that cheap
 };
 

@@ -36,9 +36,8 @@ struct Tally {
 };
 
 void playPhase(PanesRow& row, int phase, Tally& tally) {
-  const PanesDef def{.panes = row.panes,
-                     .speed = row.speed,
-                     .phase = static_cast<float>(phase) / static_cast<float>(row.phases)};
+  const PanesDef def{
+      .panes = row.panes, .speed = row.speed, .phase = static_cast<float>(phase) / static_cast<float>(row.phases)};
   const Observation seen = observePanes(def, row.accuracy);
   const double exact = exitSpeedOf(def);
   const double error = 100.0 * seen.missedAtEnd[0] / exact;
@@ -63,7 +62,7 @@ std::vector<PanesRow> modeRows(const Effort& effort) {
     for (const int panes : counts)
       for (const float speed : kSpeeds) {
         if (effort.quick && speed != 20.0f && speed != 100.0f) continue;
-        addRow(rows, setting, panes, speed, effort.quick ? 4 : 8);
+        addRow(rows, setting, panes, speed, effort.quick || panes > 6 ? 4 : 8);
       }
   return rows;
 }
@@ -71,7 +70,7 @@ std::vector<PanesRow> modeRows(const Effort& effort) {
 std::vector<PanesRow> claimRows(const Effort& effort) {
   std::vector<PanesRow> rows;
   const Setting setting{"fracture", "default", 0, true, {}};
-  const std::vector<int> counts = effort.quick ? std::vector<int>{3} : std::vector<int>{1, 2, 3, 4, 6, 8, 12, 16};
+  const std::vector<int> counts = effort.quick ? std::vector<int>{3} : std::vector<int>{1, 3, 6, 16};
   for (const int panes : counts)
     for (const float speed : kSpeeds) addRow(rows, setting, panes, speed, effort.quick ? 8 : kTestedPhases);
   return rows;
@@ -79,14 +78,14 @@ std::vector<PanesRow> claimRows(const Effort& effort) {
 
 std::vector<PanesRow> mapRows(const Effort& effort) {
   std::vector<PanesRow> rows;
-  for (const int rounds : {1, 2, 3, 5, 0})
+  for (Setting setting : modes()) {
+    if (setting.accuracy.fractureMode != physics::FractureMode::InStep) continue;
     for (const int substeps : {1, 2, 4, 8}) {
-      if (effort.quick && (substeps > 2 || rounds == 5)) continue;
-      Setting setting{"map", rounds == 0 ? "unbounded" : std::to_string(rounds), 0, false, {}};
-      setting.accuracy.fractureRounds = rounds;
+      if (effort.quick && substeps > 2) continue;
       setting.accuracy.substeps = substeps;
       addRow(rows, setting, 6, 100.0f, effort.quick ? 4 : 8);
     }
+  }
   return rows;
 }
 

@@ -10,7 +10,7 @@
 namespace brittle::accuracy {
 
 struct PanesRow {
-  std::string how;  // "3" rounds, "unbounded", "after capped", ...
+  std::string how;  // "3" rounds, "3 to 8" where something is fast, "unbounded", "after capped", ...
   int substeps = 1;
   int panes = 6;
   float speed = 20.0f;  // [m/s]

@@ -78,14 +78,13 @@ Flight fly(const physics::Accuracy& accuracy) {
 
 std::vector<PhaseRow> measurePhases(const Effort& effort, const Advance& advance) {
   std::vector<PhaseRow> rows;
-  for (const int rounds : {1, 2, 3, 5, 0}) {
+  for (const Setting& setting : knobSettings(true)) {
+    if (setting.knob != "fracture" || setting.accuracy.fractureMode != physics::FractureMode::InStep) continue;
     PhaseRow& row = rows.emplace_back();
-    row.rounds = rounds == 0 ? "unbounded" : std::to_string(rounds);
-    physics::Accuracy accuracy;
-    accuracy.fractureRounds = rounds;
+    row.rounds = setting.value;
     std::map<std::string, std::vector<double>> found;
     for (int repeat = 0; repeat < (effort.quick ? 1 : 9); ++repeat) {
-      Flight flight = fly(accuracy);
+      Flight flight = fly(setting.accuracy);
       for (const char* name : kPhaseNames) found[name].push_back(flight.ms[name]);
       row.ticks = flight.ticks;
     }

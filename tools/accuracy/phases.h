@@ -16,12 +16,12 @@ struct PhaseRow {
 };
 
 /// Zones of engine/core/profile.h in the order of the step; what is left is "other".
-inline constexpr const char* kPhaseNames[] = {"collide",       "limit impulses",   "solve",      "cut and connect",
-                                              "swap bodies",   "collide again",    "solve again", "advance strikers",
+inline constexpr const char* kPhaseNames[] = {"collide",       "limit impulses", "solve",       "cut and connect",
+                                              "swap bodies",   "collide again",  "solve again", "advance strikers",
                                               "move and rest", "other"};
 
 /// The ticks in which a ball at 100 m/s breaks six panes 5 cm apart: the fewer rounds, the more of them.
 std::vector<PhaseRow> measurePhases(const Effort& effort, const Advance& advance);
-inline constexpr int kPhaseRows = 5;
+inline constexpr int kPhaseRows = 6;
 
 }  // namespace brittle::accuracy

@@ -53,12 +53,13 @@ std::string withBounds(const Deviation& error) {
 std::string machine(const Outcome& outcome) {
   const InstructionCounter counter;
   return "Measured on: " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
-         " cores; compiler " + __VERSION__ + ", " + BRITTLE_FLAGS + "; " + (outcome.quick ? "quick" : "full") + " run, " +
-         shortly(outcome.minutes) + " minutes of processor time, " + std::to_string(Effort{outcome.quick}.repeats()) +
-         " interleaved repeats. " +
-         (counter.isThere() ? "Instructions were counted by the processor.\n\n"
-                            : "This machine counts no instructions for its programs (perf_event_open is refused), so "
-                              "there is processor time alone; `valgrind --tool=callgrind` with `--scene` counts them.\n\n");
+         " cores; compiler " + __VERSION__ + ", " + BRITTLE_FLAGS + "; " + (outcome.quick ? "quick" : "full") +
+         " run, " + shortly(outcome.minutes) + " minutes of processor time, " +
+         std::to_string(Effort{outcome.quick}.repeats()) + " interleaved repeats. " +
+         (counter.isThere()
+              ? "Instructions were counted by the processor.\n\n"
+              : "This machine counts no instructions for its programs (perf_event_open is refused), so "
+                "there is processor time alone; `valgrind --tool=callgrind` with `--scene` counts them.\n\n");
 }
 
 /// The worst of the rows that pass a test, of a figure.
@@ -76,8 +77,9 @@ std::string claim(const Outcome& outcome) {
   std::string text =
       "## The default answers within 2 %\n\nA ball of 1 kg through 1 to 16 panes 5 cm apart, at 5 to 200 m/s, in the "
       "worst of " +
-      std::to_string(rows.empty() ? 0 : rows[0].phases) + " phases of the gap within a tick: its exit speed is at most **" +
-      shortly(error) + " %** from v0 - N J/M, and it comes at most " + shortly(late) +
+      std::to_string(rows.empty() ? 0 : rows[0].phases) +
+      " phases of the gap within a tick: its exit speed is at most **" + shortly(error) +
+      " %** from v0 - N J/M, and it comes at most " + shortly(late) +
       " ms late. What too few rounds cost is time, not speed.\n\n";
   Table table({"panes", "speed [m/s]", "exit speed off by [%]", "late [ms]", "behind [cm]", "ms per simulated s"});
   for (const PanesRow& row : rows)
@@ -87,7 +89,8 @@ std::string claim(const Outcome& outcome) {
 }
 
 std::string convergence(const Outcome& outcome) {
-  if (outcome.convergence.empty()) return "The reference of a quick run has 4 sub-steps; a full run shows that it converges.\n\n";
+  if (outcome.convergence.empty())
+    return "The reference of a quick run has 4 sub-steps; a full run shows that it converges.\n\n";
   std::string text =
       "## The reference has converged\n\nThe reference has 16 sub-steps, 32 iterations, no bound of rounds, nothing "
       "recycled, nothing put to rest. With sub-steps four times and twice as long its errors are (against an exact "
@@ -100,15 +103,17 @@ std::string convergence(const Outcome& outcome) {
                 figure.tolerance == 0.0 ? "-" : shortly(figure.tolerance)});
   }
   return text + table.text() +
-         "Where everything bursts (`shatter`, `flood`) single trajectories part ways at the first difference in the last "
+         "Where everything bursts (`shatter`, `flood`) single trajectories part ways at the first difference in the "
+         "last "
          "bit. There the distributions of all shards' speeds are compared: the figure is the area between them "
-         "(Wasserstein-1), in percent of the mean speed, with 95 % bounds from resampling the seeds. What the two columns "
+         "(Wasserstein-1), in percent of the mean speed, with 95 % bounds from resampling the seeds. What the two "
+         "columns "
          "show for those is the noise that no accuracy goes below.\n\n";
 }
 
 std::string scoredTable(const std::vector<Scored>& scored, bool (*isWanted)(const Scored&)) {
-  Table table({"knob", "value", "score", "ms per simulated s", "least to most", "p99 tick [ms]", "room: median, p99 [ms]",
-               "front"});
+  Table table({"knob", "value", "score", "ms per simulated s", "least to most", "p99 tick [ms]",
+               "room: median, p99 [ms]", "front"});
   for (const Scored& one : scored)
     if (isWanted(one))
       table.line({one.setting.knob, one.setting.value + (one.setting.isDefault ? " (default)" : ""), shortly(one.score),
@@ -126,7 +131,8 @@ const char* reasonFor(const std::string& preset) {
 }
 
 std::string presets(const Outcome& outcome) {
-  std::string text = "## Presets\n\n`brittle play --accuracy PRESET` takes them; a replay records what it was played with.\n\n";
+  std::string text =
+      "## Presets\n\n`brittle play --accuracy PRESET` takes them; a replay records what it was played with.\n\n";
   Table table({"preset", "score", "ms per simulated s", "room: p99 tick [ms]", "on the front", "why"});
   for (const Scored& one : outcome.scored)
     if (one.setting.knob == "preset")
@@ -137,22 +143,28 @@ std::string presets(const Outcome& outcome) {
 
 std::string budgets(const Outcome& outcome) {
   std::string text =
-      "## What a budget buys\n\nThe best settings with which 99 of 100 ticks of the whole game keep a budget, in a room "
+      "## What a budget buys\n\nThe best settings with which 99 of 100 ticks of the whole game keep a budget, in a "
+      "room "
       "that a scripted player throws through.\n\n";
   Table table({"ms a tick", "settings", "score", "room: p99 tick [ms]"});
   for (const BudgetRow& row : outcome.budgets)
-    table.line({shortly(row.budget), row.best == nullptr ? "nothing is that cheap here" : row.best->setting.knob + " " + row.best->setting.value,
-                row.best == nullptr ? "-" : shortly(row.best->score),
-                row.best == nullptr ? "-" : shortly(row.best->cost.roomP99)});
+    table.line(
+        {shortly(row.budget),
+         row.best == nullptr ? "nothing is that cheap here" : row.best->setting.knob + " " + row.best->setting.value,
+         row.best == nullptr ? "-" : shortly(row.best->score),
+         row.best == nullptr ? "-" : shortly(row.best->cost.roomP99)});
   return text + table.text() + picture("budget", "The best error for 0.5 to 8 ms a tick");
 }
 
 std::string splitters(const Outcome& outcome) {
   std::string text =
-      "## Splitters\n\nA cube cut to 512 pieces again and again (64 for exact numbers, which grow with every cut). A cut "
-      "fails if it leaves no two closed pieces with a volume that add up within 1e-6 m3. The engine is built on floats throughout; the "
+      "## Splitters\n\nA cube cut to 512 pieces again and again (64 for exact numbers, which grow with every cut). A "
+      "cut "
+      "fails if it leaves no two closed pieces with a volume that add up within 1e-6 m3. The engine is built on floats "
+      "throughout; the "
       "splitter alone is a template of its scalar, so it is where float and double can be compared.\n\n";
-  Table table({"splitter", "planes", "attempts", "failures per million", "splits per second", "worst volume error [m3]"});
+  Table table(
+      {"splitter", "planes", "attempts", "failures per million", "splits per second", "worst volume error [m3]"});
   for (const SplitterRow& row : outcome.splitters)
     table.line({row.splitter, row.cuts, shortly(row.attempts, 7), shortly(row.failuresPerMillion),
                 shortly(row.splitsPerSecond), shortly(row.volumeError)});
@@ -160,10 +172,12 @@ std::string splitters(const Outcome& outcome) {
 }
 
 std::string knobs(const Outcome& outcome) {
-  return "## Knob by knob\n\nThe score is the root mean square of all errors, each in units of what counts as 1 (the table "
+  return "## Knob by knob\n\nThe score is the root mean square of all errors, each in units of what counts as 1 (the "
+         "table "
          "below) and at most 10: at 1 everything is off by as much as one would just notice. Time is the mean over the "
          "scenes of processor time per simulated second.\n\n" +
-         picture("knobs", "Deviation against time, knob by knob") + picture("front", "The front of error against time") +
+         picture("knobs", "Deviation against time, knob by knob") +
+         picture("front", "The front of error against time") +
          scoredTable(outcome.scored, [](const Scored& one) { return one.setting.knob != "preset"; }) +
          "Pattern density, smallest body, debris and bodies kept change what breaks into what: their error is the "
          "distance from the default's content, not a mistake.\n\n";
@@ -194,11 +208,12 @@ std::string scenes() {
 Status writeReport(const Outcome& outcome, const std::string& folder) {
   const std::string text =
       "# What accuracy costs\n\n`build/tools/accuracy" + std::string(outcome.quick ? " --quick" : "") +
-      "` wrote this. Figures of time are of one machine; errors are the same bits on every one.\n\n" + machine(outcome) +
-      picture("headline", "Where glass breaks decides the exit speed") + claim(outcome) +
-      picture("rounds", "Exit-speed error against rounds") + picture("lag", "What few rounds cost: lag and shard push") +
-      picture("map", "Rounds by sub-steps") + picture("phases", "What a breaking step consists of") + presets(outcome) +
-      budgets(outcome) + knobs(outcome) + defaultErrors(outcome) + splitters(outcome) + convergence(outcome) + scenes();
+      "` wrote this. Figures of time are of one machine; errors are the same bits on every one.\n\n" +
+      machine(outcome) + picture("headline", "Where glass breaks decides the exit speed") + claim(outcome) +
+      picture("rounds", "Exit-speed error against rounds") +
+      picture("lag", "What few rounds cost: lag and shard push") + picture("map", "Rounds by sub-steps") +
+      picture("phases", "What a breaking step consists of") + presets(outcome) + budgets(outcome) + knobs(outcome) +
+      defaultErrors(outcome) + splitters(outcome) + convergence(outcome) + scenes();
   return writeFile(folder + "/report.md", {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 

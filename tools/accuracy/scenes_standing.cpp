@@ -65,8 +65,8 @@ Stage buildStack(World& world, int variant) {
   physics::addFloor(world);
   const float aside = 0.01f * static_cast<float>(variant);  // every second block stands aside [m]
   for (int i = 0; i < kBlocks; ++i) {
-    physics::BodyDef block = physics::bodyAt(
-        Vec3(i % 2 == 0 ? 0.0f : aside, kHalf * (2.0f * static_cast<float>(i) + 1.0f), 0.0f));
+    physics::BodyDef block =
+        physics::bodyAt(Vec3(i % 2 == 0 ? 0.0f : aside, kHalf * (2.0f * static_cast<float>(i) + 1.0f), 0.0f));
     block.breakable.strength = 900.0f;  // the lowest bears 290 N s in 1/60 s
     block.breakable.material.pattern = fracture::Pattern::Block;
     physics::addBox(world, block, Vec3::Constant(kHalf), physics::shapeDef(2500.0f));
@@ -98,8 +98,7 @@ Stage buildSwing(World& world, int variant) {
   world.createJoint(joint);
   const auto angleNow = [pane, hinge](const World& now) {
     const Vec3 arm = now.body(pane).center - hinge;
-    return static_cast<double>(180.0f / kPi) *
-           std::atan2(static_cast<double>(arm.z()), static_cast<double>(-arm.y()));
+    return static_cast<double>(180.0f / kPi) * std::atan2(static_cast<double>(arm.z()), static_cast<double>(-arm.y()));
   };
   const double arm = static_cast<double>(half.y()), thin = static_cast<double>(half.z());
   const Pendulum exact(angleNow(world) / static_cast<double>(180.0f / kPi),

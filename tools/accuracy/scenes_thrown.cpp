@@ -10,11 +10,11 @@ namespace {
 
 using physics::World;
 
-constexpr float kRadius = 0.05f;         // of the ball [m]
+constexpr float kRadius = 0.05f;          // of the ball [m]
 constexpr float kHalfThickness = 0.002f;  // of a pane [m]
-constexpr float kStart = 0.5f;           // before the first pane [m]
-constexpr float kBehind = 0.5f;          // the last one, where the ball is looked at [m]
-constexpr float kPatience = 0.35f;       // for a ball that waits a tick at each pane [s]
+constexpr float kStart = 0.5f;            // before the first pane [m]
+constexpr float kBehind = 0.5f;           // the last one, where the ball is looked at [m]
+constexpr float kPatience = 0.35f;        // for a ball that waits a tick at each pane [s]
 
 /// The flight of a ball that loses J/M at each pane and nothing else.
 class ExactFlight {
@@ -73,8 +73,8 @@ Stage buildPanes(World& world, const PanesDef& def) {
   }
   const float start = kStart + def.speed * kTick * def.phase;
   Stage stage;
-  const physics::BodyHandle ball = physics::addBall(world, Vec3(0.003f, 0.002f, start), Vec3(0.0f, 0.0f, -def.speed),
-                                                    kRadius, kBallMass);
+  const physics::BodyHandle ball =
+      physics::addBall(world, Vec3(0.003f, 0.002f, start), Vec3(0.0f, 0.0f, -def.speed), kRadius, kBallMass);
   stage.watched = ball;
   const ExactFlight flight(def, static_cast<double>(start));
   stage.analytics = {

@@ -18,8 +18,8 @@ template <class S>
 struct NaiveSplitter {
   S epsilon = S(0);
 
-  SplitOutcome operator()(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark,
-                          SplitScratchT<S>& scratch, ConvexT<S>& above, ConvexT<S>& below) {
+  SplitOutcome operator()(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
+                          ConvexT<S>& above, ConvexT<S>& below) {
     split_detail::Sides<S> sides(parent, scratch);
     failed = false;
     const SplitOutcome outcome = sides.classify(plane);
@@ -55,8 +55,7 @@ struct NaiveSplitter {
     const S& b = sides.scratch.distances[high];
     const S fraction = a / (a - b);
     VertexT<S> vertex = sides.parent.vertices[low];
-    for (int i = 0; i < 3; ++i)
-      vertex.point[i] += fraction * (sides.parent.vertices[high].point[i] - vertex.point[i]);
+    for (int i = 0; i < 3; ++i) vertex.point[i] += fraction * (sides.parent.vertices[high].point[i] - vertex.point[i]);
     return vertex;
   }
 };
@@ -91,8 +90,8 @@ struct Watched {
   SplitterRow row;
   double spent = 0.0;  // [ms]
 
-  SplitOutcome operator()(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark,
-                          SplitScratchT<S>& scratch, ConvexT<S>& above, ConvexT<S>& below) {
+  SplitOutcome operator()(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
+                          ConvexT<S>& above, ConvexT<S>& below) {
     const double before = cpuMilliseconds();
     const SplitOutcome outcome = splitter(parent, plane, mark, scratch, above, below);
     spent += cpuMilliseconds() - before;

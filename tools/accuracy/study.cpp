@@ -13,11 +13,11 @@ double sumOf(const std::vector<double>& values) {
 
 /// What one setting took in all repeats.
 struct Taken {
-  std::vector<double> perSecond;               // of each repeat [ms/s]
-  std::vector<std::vector<double>> scenes;     // by scene, of each repeat
-  std::vector<double> ticks;                   // all [ms]
-  std::vector<double> instructions;            // of each repeat [1/s]
-  std::vector<double> roomTicks;               // all [ms]
+  std::vector<double> perSecond;            // of each repeat [ms/s]
+  std::vector<std::vector<double>> scenes;  // by scene, of each repeat
+  std::vector<double> ticks;                // all [ms]
+  std::vector<double> instructions;         // of each repeat [1/s]
+  std::vector<double> roomTicks;            // all [ms]
   double roomBreaks = 0.0;
 };
 
@@ -103,8 +103,7 @@ Reference playAll(const physics::Accuracy& accuracy, const Effort& effort, const
 }
 
 int stepsOf(const std::vector<Setting>& settings, const Effort& effort) {
-  return static_cast<int>(differentOf(settings).size()) *
-         (static_cast<int>(allScenes().size()) + effort.repeats());
+  return static_cast<int>(differentOf(settings).size()) * (static_cast<int>(allScenes().size()) + effort.repeats());
 }
 
 Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Reference& reference, const Room& room,
@@ -128,9 +127,8 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
   markFront(measured);
   std::vector<Scored> scored;
   for (const Setting& setting : settings) {
-    const auto same = std::find_if(different.begin(), different.end(), [&](std::size_t i) {
-      return isSame(settings[i].accuracy, setting.accuracy);
-    });
+    const auto same = std::find_if(different.begin(), different.end(),
+                                   [&](std::size_t i) { return isSame(settings[i].accuracy, setting.accuracy); });
     scored.push_back(measured[static_cast<std::size_t>(same - different.begin())]);
     scored.back().setting = setting;
   }

@@ -10,10 +10,10 @@ Csv settingsOf(const Outcome& outcome) {
   Csv csv({"knob", "value", "order", "default", "front", "score", "ms_per_s", "ms_per_s_least", "ms_per_s_most",
            "median_tick_ms", "p99_tick_ms", "instructions_per_s", "room_median_ms", "room_p99_ms", "room_breaks"});
   for (const Scored& one : outcome.scored)
-    csv.row() << one.setting.knob << one.setting.value << double(one.setting.order)
-              << double(one.setting.isDefault) << double(one.isFront) << one.score << one.cost.perSecond
-              << one.cost.low << one.cost.high << one.cost.medianTick << one.cost.p99Tick << one.cost.instructions
-              << one.cost.roomMedian << one.cost.roomP99 << one.cost.roomBreaks;
+    csv.row() << one.setting.knob << one.setting.value << double(one.setting.order) << double(one.setting.isDefault)
+              << double(one.isFront) << one.score << one.cost.perSecond << one.cost.low << one.cost.high
+              << one.cost.medianTick << one.cost.p99Tick << one.cost.instructions << one.cost.roomMedian
+              << one.cost.roomP99 << one.cost.roomBreaks;
   return csv;
 }
 
@@ -87,9 +87,12 @@ Status writeTables(const Outcome& outcome, const std::string& folder) {
   std::vector<PanesRow> panes = outcome.modes;
   panes.insert(panes.end(), outcome.claim.begin(), outcome.claim.end());
   const std::pair<const char*, Csv> tables[] = {
-      {"settings", settingsOf(outcome)},         {"figures", figuresOf(outcome)},
-      {"panes", panesOf(panes)},                 {"map", panesOf(outcome.map)},
-      {"phases", phasesOf(outcome.phases)},      {"splitters", splittersOf(outcome.splitters)},
+      {"settings", settingsOf(outcome)},
+      {"figures", figuresOf(outcome)},
+      {"panes", panesOf(panes)},
+      {"map", panesOf(outcome.map)},
+      {"phases", phasesOf(outcome.phases)},
+      {"splitters", splittersOf(outcome.splitters)},
       {"budget", budgetOf(outcome.budgets)},
   };
   for (const auto& [name, csv] : tables) {

@@ -18,7 +18,8 @@ TEST(Accuracy, TheDefaultAndTheEndsOfTheRangesAreUsable) {
   const Change usable[] = {
       [](Accuracy&) {},
       [](Accuracy& a) { a.fractureRounds = 0; },
-      [](Accuracy& a) { a.fractureRounds = 64; },
+      [](Accuracy& a) { a.fractureRounds = a.fastRounds = 64; },
+      [](Accuracy& a) { a.fastRounds = 0; },
       [](Accuracy& a) { a.positionIterations = a.maxDebris = a.maxBodies = 0; },
       [](Accuracy& a) { a.speculativeMargin = a.minVolumeScale = a.directSolveMassRatio = a.blend = 0.0f; },
   };
@@ -34,6 +35,8 @@ TEST(Accuracy, WhatIsBeyondARangeIsNot) {
   const Change beyond[] = {
       [](Accuracy& a) { a.fractureMode = static_cast<FractureMode>(3); },
       [](Accuracy& a) { a.fractureRounds = 65; },
+      [](Accuracy& a) { a.fastRounds = -1; },
+      [](Accuracy& a) { a.fastRounds = 65; },
       [](Accuracy& a) { a.blend = 1.1f; },
       [](Accuracy& a) { a.iterations = 0; },
       [](Accuracy& a) { a.positionIterations = -1; },

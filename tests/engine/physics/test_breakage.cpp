@@ -55,6 +55,52 @@ Shot shoot(FractureMode mode, float blend, int phase) {
   return shot;
 }
 
+struct Passage {
+  std::uint32_t held = 0, mostRounds = 0;
+  float exitSpeed = 0.0f;  // [m/s]
+};
+
+/// A ball of 10 cm and 1 kg through twelve light panes.
+Passage pass(float speed, float spacing, std::int32_t fastRounds) {
+  WorldDef def;
+  def.gravity = Vec3::Zero();
+  def.accuracy.fastRounds = fastRounds;
+  def.accuracy.patternDensity = 0.3f;
+  World world(def);
+  for (int i = 0; i < 12; ++i)
+    addPane(world, Vec3(0.0f, 0.0f, -spacing * static_cast<float>(i)), Vec3(0.3f, 0.3f, 0.002f), 0.1f, 0.5f);
+  const BodyHandle ball = addBall(world, Vec3(0.003f, 0.002f, 0.07f), Vec3(0.0f, 0.0f, -speed), 0.05f, 1.0f);
+  Passage passage;
+  for (int tick = 0; tick < 12; ++tick) {
+    world.step(kTick);
+    passage.held += world.counters().held;
+    passage.mostRounds = maxOf(passage.mostRounds, world.counters().rounds);
+  }
+  passage.exitSpeed = -world.body(ball).velocity.z();
+  return passage;
+}
+
+TEST(Breakage, WhatIsFastBreaksOnInTheSameTickUpToItsBound) {
+  const Passage three = pass(100.0f, 0.05f, 0), eight = pass(100.0f, 0.05f, 8), twelve = pass(100.0f, 0.05f, 12);
+  EXPECT_EQ(three.mostRounds, 3u);
+  EXPECT_EQ(three.held, 3u);
+  EXPECT_EQ(eight.mostRounds, 8u);
+  EXPECT_EQ(eight.held, 1u);
+  EXPECT_EQ(twelve.mostRounds, 12u);
+  EXPECT_EQ(twelve.held, 0u);
+  for (const Passage& passage : {three, eight, twelve}) EXPECT_NEAR(passage.exitSpeed, 98.8f, 0.5f);
+}
+
+// 5 m/s are 8 cm in a tick: less than the ball. It would not be seen to hang.
+TEST(Breakage, WhatIsSlowKeepsToTheRoundsThatAllHave) {
+  const Passage none = pass(5.0f, 0.015f, 0), all = pass(5.0f, 0.015f, 64);
+  EXPECT_EQ(none.mostRounds, 3u);
+  EXPECT_GT(none.held, 0u);
+  EXPECT_EQ(all.mostRounds, 3u);
+  EXPECT_EQ(all.held, none.held);
+  EXPECT_EQ(all.exitSpeed, none.exitSpeed);
+}
+
 // What they are kept for: to show that without care for when the glass breaks the phase of the tick decides.
 TEST(Breakage, TheOlderWaysBreakAndCostWhatThePhaseOfTheTickSays) {
   float slowest = 20.0f;

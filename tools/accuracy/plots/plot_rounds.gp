@@ -1,10 +1,9 @@
 width = 1060
 load scripts.'/style.gp'
 set title 'One round is enough for the exit speed; every way after the step misses it' font ',15'
-ways = "'after' 'blended' 'restored' 'after capped' '1' '2' '3' '5' 'unbounded'"
-place(way) = way eq 'after' ? 1 : way eq 'blended' ? 2 : way eq 'restored' ? 3 : way eq 'after capped' ? 4 : way eq '1' ? 5 : way eq '2' ? 6 : way eq '3' ? 7 : way eq '5' ? 8 : way eq 'unbounded' ? 9 : NaN
-set xtics ("after" 1, "blended" 2, "restored" 3, "capped" 4, "1" 5, "2" 6, "3" 7, "5" 8, "any" 9)
-set xrange [0.6:9.4]
+place(way) = way eq 'after' ? 1 : way eq 'blended' ? 2 : way eq 'restored' ? 3 : way eq 'after capped' ? 4 : way eq '1' ? 5 : way eq '2' ? 6 : way eq '3' ? 7 : way eq '3 to 8' ? 8 : way eq '5' ? 9 : way eq 'unbounded' ? 10 : NaN
+set xtics ("after" 1, "blended" 2, "restored" 3, "capped" 4, "1" 5, "2" 6, "3" 7, "3 to 8\n(default)" 8, "5" 9, "any" 10)
+set xrange [0.6:10.4]
 set logscale y
 set yrange [0.02:400]
 set format y '%g'
@@ -19,4 +18,4 @@ speeds = '5 10 20 50 100 200'
 panes(i) = i < 3 ? 1 : i < 4 ? 6 : 16
 # One point for each way, in the order of the axis: the table has them in the order they were measured in.
 plot for [i = 1:6] table('panes') using (column(4) == real(word(speeds, i)) && column(3) == panes(i) ? place(strcol(1)) : NaN):($6 < 0.02 ? 0.02 : $6) with points pt 7 ps 1.2 lc rgb colours[i] title sprintf('%s m/s, %d', word(speeds, i), panes(i)), \
-     for [i = 1:6] table('panes') using (column(4) == real(word(speeds, i)) && column(3) == panes(i) && strcol(1) ne 'default' && place(strcol(1)) > 4 ? place(strcol(1)) : NaN):($6 < 0.02 ? 0.02 : $6) with lines lw 2.5 lc rgb colours[i] notitle
+     for [i = 1:6] table('panes') using (column(4) == real(word(speeds, i)) && column(3) == panes(i) && strcol(1) ne 'default' && place(strcol(1)) > 4 ? place(strcol(1)) : NaN):($6 < 0.02 ? 0.02 : $6) smooth unique with lines lw 2.5 lc rgb colours[i] notitle

@@ -7,7 +7,7 @@ set datafile columnheaders
 set datafile missing NaN  # what a plot leaves out does not tear its lines
 set encoding utf8
 if (kind eq 'svg') { set terminal svg size width, height font 'DejaVu Sans,13' background '#ffffff' enhanced linewidth 1.2
-} else { set terminal pngcairo size 2 * width, 2 * height font 'DejaVu Sans,13' fontscale 2 background '#ffffff' enhanced linewidth 2 pointscale 1 }
+} else { set terminal pngcairo size 2 * width, 2 * height font 'DejaVu Sans,13' fontscale 2 background '#ffffff' enhanced linewidth 2 pointscale 2 }
 set output folder.'/'.name.'.'.kind
 table(what) = folder.'/'.what.'.csv'
 
