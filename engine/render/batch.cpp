@@ -4,6 +4,7 @@
 
 #include "engine/core/assert.h"
 #include "engine/math/trig.h"
+#include "engine/render/shader.h"
 
 namespace brittle::render {
 
@@ -41,6 +42,12 @@ std::vector<std::uint16_t> sphereIndices() {
     }
   }
   return indices;
+}
+
+void clip(const Gl& gl, const OverlayPart& part, int width, int height) {
+  const int left = clampTo(part.left, 0, width), right = clampTo(part.right, left, width);
+  const int top = clampTo(part.top, 0, height), bottom = clampTo(part.bottom, top, height);
+  gl.Scissor(left, height - bottom, right - left, bottom - top);
 }
 
 }  // namespace
@@ -89,6 +96,55 @@ void SphereBatch::make(const Gl& gl) {
   attach(gl, vertices_.name(), sizeof(Vec3), pointLayout);
   upload(gl, GL_ELEMENT_ARRAY_BUFFER, indices_.name(), indices);
   attach(gl, instances_.name(), stride_, layout_, 1);
+}
+
+void OverlayBatch::make(const Gl& gl) {
+  using As = Attribute::As;
+  constexpr std::array<Attribute, 3> kLayout = {
+      {{0, 2, GL_FLOAT, As::Float, 0}, {1, 2, GL_FLOAT, As::Float, 8}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}}};
+  static_assert(sizeof(OverlayPoint) == 20, "the layout above");
+  points_ = GlBuffer(gl);
+  indices_ = GlBuffer(gl);
+  array_ = GlVertexArray(gl);
+  gl.BindVertexArray(array_.name());
+  attach(gl, points_.name(), sizeof(OverlayPoint), kLayout);
+}
+
+void OverlayBatch::upload(const Gl& gl, const std::shared_ptr<const OverlayTexture>& texture) {
+  BR_ASSERT(texture->width > 0 && texture->height > 0);
+  BR_ASSERT(texture->coverage.size() == static_cast<std::size_t>(texture->width) * texture->height);
+  uploaded_ = texture;
+  texture_ = GlTexture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_R8, texture->width, texture->height);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture->width, texture->height, GL_RED, GL_UNSIGNED_BYTE,
+                   texture->coverage.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+std::uint32_t OverlayBatch::draw(const Gl& gl, const Overlay& overlay, int width, int height) {
+  BR_ASSERT(overlay.texture != nullptr);
+  if (!array_) make(gl);
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kUnitOverlay));
+  if (uploaded_ != overlay.texture) upload(gl, overlay.texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+  gl.BindVertexArray(array_.name());
+  stream(gl, GL_ARRAY_BUFFER, points_.name(), overlay.points);
+  stream(gl, GL_ELEMENT_ARRAY_BUFFER, indices_.name(), overlay.indices);
+  gl.Enable(GL_SCISSOR_TEST);
+  std::uint32_t triangles = 0;
+  for (const OverlayPart& part : overlay.parts) {
+    clip(gl, part, width, height);
+    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                    reinterpret_cast<const void*>(sizeof(std::uint32_t) * part.first));
+    triangles += part.count / 3;
+  }
+  gl.Disable(GL_SCISSOR_TEST);
+  return triangles;
 }
 
 }  // namespace brittle::render

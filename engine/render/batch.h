@@ -1,10 +1,12 @@
-// render/batch.h - vertex arrays with the buffers they read: baked rooms that stay, and instances streamed every frame.
+// render/batch.h - vertex arrays with the buffers they read: baked rooms that stay; instances and overlays streamed every
+// frame.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "engine/render/gl_object.h"
+#include "engine/render/overlay.h"
 #include "engine/render/renderer.h"
 
 namespace brittle::render {
@@ -75,6 +77,23 @@ class SphereBatch {
   GlBuffer vertices_, indices_, instances_;
   GlVertexArray array_;
   std::uint32_t indexCount_ = 0;
+};
+
+/// The overlay's GL side. Takes nothing from GL before the first draw.
+class OverlayBatch {
+ public:
+  /// Draws the parts of an overlay that has a texture, with the program in use, into a picture of that many pixels.
+  /// Returns the number of triangles.
+  std::uint32_t draw(const Gl& gl, const Overlay& overlay, int width, int height);
+
+ private:
+  void make(const Gl& gl);
+  void upload(const Gl& gl, const std::shared_ptr<const OverlayTexture>& texture);
+
+  GlBuffer points_, indices_;
+  GlVertexArray array_;
+  GlTexture texture_;
+  std::shared_ptr<const OverlayTexture> uploaded_;
 };
 
 }  // namespace brittle::render

@@ -69,6 +69,7 @@
   X(PixelStorei, PFNGLPIXELSTOREIPROC)                                       \
   X(ReadPixels, PFNGLREADPIXELSPROC)                                         \
   X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC) \
+  X(Scissor, PFNGLSCISSORPROC)                                               \
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                                     \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                   \
   X(TexStorage2D, PFNGLTEXSTORAGE2DPROC)                                     \

@@ -26,5 +26,6 @@ extern const ProgramSource kBright;      // what shines beyond its outline, smal
 extern const ProgramSource kBlur;        // that, blurred one way
 extern const ProgramSource kComposite;   // scene to picture
 extern const ProgramSource kHud;         // capsules, rectangles, arcs
+extern const ProgramSource kOverlay;     // flat triangles with a coverage
 
 }  // namespace brittle::render::glsl

@@ -322,4 +322,25 @@ void main() {
 }
 )"};
 
+const ProgramSource kOverlay = {"overlay", R"(
+layout(location = 0) in vec2 point;
+layout(location = 1) in vec2 texel;
+layout(location = 2) in vec4 color;
+out vec2 vTexel;
+out vec4 vColor;
+void main() {
+  vTexel = texel;
+  vColor = color;
+  vec2 ndc = point * frame.picture.zw * 2.0 - 1.0;
+  gl_Position = vec4(ndc.x, -ndc.y, 0.0, 1.0);
+}
+)",
+                                R"(
+uniform sampler2D coverageTexture;
+in vec2 vTexel;
+in vec4 vColor;
+out vec4 result;
+void main() { result = vec4(vColor.rgb, vColor.a * texture(coverageTexture, vTexel).r); }
+)"};
+
 }  // namespace brittle::render::glsl

@@ -71,7 +71,8 @@ Status Passes::build(Which which) {
   static const ProgramSource* const sources[kPrograms] = {
       &glsl::kBackground, &glsl::kRoom,   &glsl::kSolid, &glsl::kSphere,    &glsl::kCrumb,
       &glsl::kDecal,      &glsl::kShadow, &glsl::kGlass, &glsl::kEdge,      &glsl::kGlow,
-      &glsl::kBeam,       &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud};
+      &glsl::kBeam,       &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud,
+      &glsl::kOverlay};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();
@@ -295,6 +296,13 @@ void Passes::hud(const std::vector<HudInstance>& instances) {
   bindTexture(gl_, kUnitGlyphs, glyphs_.name());
   hudBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
+}
+
+void Passes::overlay(const Overlay& overlay, int width, int height) {
+  if (overlay.parts.empty()) return;
+  setState(Depth::Off, Blend::Over, Faces::All);
+  if (!use(kOverlayProgram)) return;
+  count(overlayBatch_.draw(gl_, overlay, width, height));
 }
 
 }  // namespace brittle::render

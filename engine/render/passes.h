@@ -49,6 +49,7 @@ class Passes {
   /// `bloom`: how strongly bright places shine beyond their outline; 0 skips the stage.
   void composite(Target& target, float bloom, const Vec4& tint, const Vec4& border);
   void hud(const std::vector<HudInstance>& instances);
+  void overlay(const Overlay& overlay, int width, int height);
 
   FrameCounters& counters() { return counters_; }
 
@@ -69,6 +70,7 @@ class Passes {
     kBlurProgram,
     kCompositeProgram,
     kHudProgram,
+    kOverlayProgram,
     kPrograms
   };
   /// The vec4s a program may have of its own.
@@ -99,6 +101,7 @@ class Passes {
   GlTexture glyphs_, tiles_, decals_;
   SphereBatch sphereBatch_;
   InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_;
+  OverlayBatch overlayBatch_;
   FrameCounters counters_;
 };
 

@@ -169,7 +169,7 @@ void Renderer::destroyStatic(StaticId id) {
   parts_->statics.erase(id);
 }
 
-void Renderer::draw(const Frame& frame) {
+void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   BR_ZONE("render");
   Parts& p = *parts_;
   const int width = p.target->width(), height = p.target->height();
@@ -186,6 +186,7 @@ void Renderer::draw(const Frame& frame) {
   p.drawTranslucent();
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);
+  if (overlay != nullptr) p.passes->overlay(*overlay, width, height);
 }
 
 Image Renderer::readBack() {

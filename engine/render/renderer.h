@@ -11,6 +11,7 @@
 #include "engine/render/capture.h"
 #include "engine/render/frame.h"
 #include "engine/render/material.h"
+#include "engine/render/overlay.h"
 
 namespace brittle::render {
 
@@ -60,8 +61,9 @@ class Renderer {
                         std::uint32_t polished = 0);
   void destroyStatic(StaticId id);
 
-  /// Draws one picture. Uploads the dirty ranges of the frame's pools first and clears them.
-  void draw(const Frame& frame);
+  /// Draws one picture, and the overlay on top of it unless it is null or empty. Uploads the dirty ranges of the frame's
+  /// pools first and clears them.
+  void draw(const Frame& frame, const Overlay* overlay = nullptr);
   /// The picture drawn last.
   Image readBack();
   const FrameCounters& counters() const;

@@ -80,7 +80,8 @@ void Program::bindPlaces() const {
   const std::pair<const char*, GLint> units[] = {{"bodyTexture", kUnitBodies},  {"shapeTexture", kUnitShapes},
                                                  {"colorTexture", kUnitColor},  {"depthTexture", kUnitDepth},
                                                  {"tileTexture", kUnitTiles},   {"glyphTexture", kUnitGlyphs},
-                                                 {"decalTexture", kUnitDecals}, {"bloomTexture", kUnitBloom}};
+                                                 {"decalTexture", kUnitDecals}, {"bloomTexture", kUnitBloom},
+                                                 {"coverageTexture", kUnitOverlay}};
   for (const auto& [name, unit] : units) gl_->Uniform1i(location(name), unit);
 }
 

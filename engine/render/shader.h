@@ -21,6 +21,7 @@ enum TextureUnit : GLint {
   kUnitGlyphs,
   kUnitDecals,
   kUnitBloom,
+  kUnitOverlay,
   kUnitScratch
 };
 

@@ -63,6 +63,24 @@ TEST_F(RendererOnNull, BuildsWhatAFrameAsksForAndNoMore) {
   EXPECT_EQ(null_.calls("CreateProgram"), 3u);
 }
 
+TEST_F(RendererOnNull, AnOverlayIsADrawAPartAndOneUploadOfItsTexture) {
+  make();
+  Overlay overlay;
+  overlay.texture = std::make_shared<OverlayTexture>(OverlayTexture{2, 1, {255, 0}});
+  const std::size_t before = null_.liveObjects();
+  renderer_->draw(Frame{}, &overlay);
+  EXPECT_EQ(null_.liveObjects(), before);  // it is empty
+  overlay.points.resize(4);
+  overlay.indices = {0, 1, 2, 0, 2, 3};
+  overlay.parts = {{0, 0, 320, 180, 0, 3}, {-5, 10, 1000, 20, 3, 3}};
+  null_.clearRecord();
+  renderer_->draw(Frame{}, &overlay);
+  ASSERT_EQ(null_.draws().size(), 4u);
+  EXPECT_EQ(null_.draws()[2].vertices, 3);
+  renderer_->draw(Frame{}, &overlay);
+  EXPECT_EQ(null_.calls("TexSubImage2D"), 1u);
+}
+
 TEST_F(RendererOnNull, BloomIsThreeSmallDraws) {
   make();
   Frame frame;

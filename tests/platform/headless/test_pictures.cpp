@@ -23,9 +23,9 @@ class Studio {
     if (!opened) ADD_FAILURE() << opened.error().message;
   }
 
-  Image draw(const Frame& frame) {
+  Image draw(const Frame& frame, const Overlay* overlay = nullptr) {
     if (renderer_ == nullptr) return {};
-    renderer_->draw(frame);
+    renderer_->draw(frame, overlay);
     EXPECT_EQ(glErrorName(gl_.GetError()), "no error");
     return renderer_->readBack();
   }
@@ -383,6 +383,23 @@ TEST(Pictures, FillArcsClockwiseFromTheTop) {
   EXPECT_GT(brightness(image, 160 + r * 7 / 10, 90 - r * 7 / 10), 200.0f);
   EXPECT_LT(brightness(image, 160 - r * 7 / 10, 90 - r * 7 / 10), 20.0f);
   EXPECT_LT(brightness(image, 160 + r * 7 / 10, 90 + r * 7 / 10), 20.0f);
+}
+
+TEST(Pictures, ShowAnOverlayWithinItsClipAndCoverageOnly) {
+  Overlay overlay;
+  overlay.texture = std::make_shared<OverlayTexture>(OverlayTexture{2, 1, {255, 0}});
+  const auto corner = [](float x, float y, float u) { return OverlayPoint{x, y, u, 0.5f, 0xff0000ffu}; };
+  // Red over the left half of the picture by its coverage, of which the upper left quarter is let through.
+  overlay.points = {corner(0, 0, 0.0f), corner(320, 0, 1.0f), corner(320, 180, 1.0f), corner(0, 180, 0.0f)};
+  overlay.indices = {0, 1, 2, 0, 2, 3};
+  overlay.parts = {{0, 0, 160, 90, 0, 6}};
+  Studio studio(kSmall);
+  const Image plain = studio.draw(Frame{}), seen = studio.draw(Frame{}, &overlay), after = studio.draw(Frame{});
+  EXPECT_EQ(seen.at(40, 45)[0], 255);
+  EXPECT_EQ(seen.at(40, 45)[1], 0);
+  for (const auto& [x, y] : {std::pair{40, 120}, {200, 45}, {161, 10}, {40, 90}})
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(seen.at(x, y)[i], plain.at(x, y)[i]) << x << ' ' << y;
+  EXPECT_EQ(compare(plain, after).largest, 0);  // and it leaves no state behind
 }
 
 TEST(Pictures, KeepTheirSizeWhenResized) {
