@@ -1,5 +1,5 @@
-// render/batch.h - vertex arrays with the buffers they read: baked rooms that stay; instances and overlays streamed every
-// frame.
+// render/batch.h - vertex arrays with the buffers they read: baked rooms that stay; instances and overlays streamed
+// every frame.
 #pragma once
 
 #include <span>

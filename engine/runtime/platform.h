@@ -21,7 +21,21 @@ enum class EventKind : std::uint8_t {
 };
 
 /// The keys the runtime knows; printable ones carry their character in Event::character.
-enum class Key : std::uint8_t { Other, Character, Escape, Enter, Space, Backspace, Left, Right, Up, Down, Back, F3 };
+enum class Key : std::uint8_t {
+  Other,
+  Character,
+  Escape,
+  Enter,
+  Space,
+  Backspace,
+  Left,
+  Right,
+  Up,
+  Down,
+  Back,
+  F3,
+  F4
+};
 
 /// The mouse's pointer; fingers count from 1, each keeping its number while it touches.
 inline constexpr std::uint32_t kMousePointer = 0;

@@ -197,6 +197,14 @@ std::uint64_t Game::contentHash() const {
 Camera Game::camera() const {
   return impl_->track->camera();
 }
+void Game::setAccuracy(const physics::Accuracy& accuracy) {
+  impl_->session.def.accuracy = accuracy;
+  impl_->track->current().world().setAccuracy(accuracy);
+  if (Room* next = impl_->track->next()) next->world().setAccuracy(accuracy);
+}
+const physics::Accuracy& Game::accuracy() const {
+  return impl_->track->current().world().accuracy();
+}
 const Hud& Game::hud() const {
   return impl_->hud;
 }

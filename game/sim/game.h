@@ -82,7 +82,11 @@ class Game {
   /// False if the bytes are not a snapshot of this version, level and content; the game is then unusable until a good
   /// restore.
   bool restore(ByteReader& in);
-  /// Level, seed, mode and accuracy as created.
+  /// From the next tick on, in every room. For tools: a recording of the game so far no longer replays beyond here.
+  void setAccuracy(const physics::Accuracy& accuracy);
+  /// Of the room the camera is in.
+  const physics::Accuracy& accuracy() const;
+  /// Level, seed, mode and accuracy as created, or as set since.
   const GameDef& def() const;
   /// Over the bytes of every file read so far, by name.
   std::uint64_t contentHash() const;

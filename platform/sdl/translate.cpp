@@ -31,6 +31,8 @@ Key keyOf(SDL_Keycode code) {
       return Key::Back;
     case SDLK_F3:
       return Key::F3;
+    case SDLK_F4:
+      return Key::F4;
     default:
       return code > SDLK_SPACE && code < SDLK_DELETE ? Key::Character : Key::Other;
   }

@@ -61,7 +61,7 @@ void Picture::restarted() {
   parts_->scene->reset();
 }
 
-void Picture::draw(sim::Game& game, const runtime::Shown& shown) {
+void Picture::draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay) {
   const runtime::PictureSize size = shown.size;
   if (size.width < 1 || size.height < 1) return;  // a window that is minimised
   if (!(size == parts_->size)) parts_->renderer->resize(size.width, size.height);
@@ -69,7 +69,8 @@ void Picture::draw(sim::Game& game, const runtime::Shown& shown) {
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
   const std::optional<view::Timings> timings = timingsOf(shown.times);
   parts_->renderer->draw(parts_->scene->build(shown.alpha, aspect, {game.meshes(0), game.meshes(1)}, shown.paused,
-                                              timings ? &*timings : nullptr));
+                                              timings ? &*timings : nullptr),
+                         overlay);
 }
 
 render::Image Picture::readBack() {

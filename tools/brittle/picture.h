@@ -6,6 +6,7 @@
 
 #include "engine/core/result.h"
 #include "engine/render/capture.h"
+#include "engine/render/overlay.h"
 #include "engine/runtime/loop.h"
 #include "game/content/asset_source.h"
 #include "game/sim/game.h"
@@ -27,7 +28,8 @@ class Picture {
   const sim::FramePacket& packet() const;
   /// Another game follows: forgets everything about the last one.
   void restarted();
-  void draw(sim::Game& game, const runtime::Shown& shown);
+  /// `overlay`: on top, unless null.
+  void draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay = nullptr);
   render::Image readBack();
 
  private:

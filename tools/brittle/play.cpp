@@ -13,6 +13,7 @@
 #include "tools/brittle/picture.h"
 #include "tools/brittle/saved.h"
 #include "tools/brittle/speakers.h"
+#include "tools/brittle/tuning.h"
 
 namespace brittle::program {
 namespace {
@@ -33,11 +34,12 @@ std::vector<std::string> levelNames(const content::AssetSource& assets) {
 class Player : public runtime::Client {
  public:
   Player(const content::AssetSource& assets, std::unique_ptr<GameSimulation> simulation, Picture& picture,
-         Speakers* speakers, const PlayOptions& options, sim::Progress& progress)
+         Speakers* speakers, Tuning& tuning, const PlayOptions& options, sim::Progress& progress)
       : assets_(assets),
         simulation_(std::move(simulation)),
         picture_(picture),
         speakers_(speakers),
+        tuning_(tuning),
         options_(options),
         progress_(progress),
         levels_(levelNames(assets)) {
@@ -46,13 +48,17 @@ class Player : public runtime::Client {
 
   void tick(const replay::InputFrame& input) override {
     if (wantsNext(input)) return next();
+    tuning_.tickBegins();
     simulation_->tick(input);
+    tuning_.tickEnds();
     keepCheckpoint();
-    if (recorder_) recorder_->record(input, *simulation_);
+    if (recorder_ && isRecording_) recorder_->record(input, *simulation_);
     show();
   }
   void draw(const runtime::Shown& shown) override {
-    picture_.draw(simulation_->game(), shown);
+    const render::Overlay* panels = tuning_.build(simulation_->game(), shown.size);
+    if (tuning_.hasChanged()) endRecording();
+    picture_.draw(simulation_->game(), shown, panels);
     ++frames_;
   }
   float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }
@@ -67,7 +73,13 @@ class Player : public runtime::Client {
   void begin() {
     faults_.restart();
     if (!options_.record.empty()) recorder_.emplace(startOf(simulation_->game()));
+    isRecording_ = recorder_.has_value();
     show();
+  }
+  /// A replay has the same accuracy from its first tick to its last.
+  void endRecording() {
+    if (isRecording_) std::fprintf(stderr, "brittle: the recording ends here: the accuracy was changed\n");
+    isRecording_ = false;
   }
   void show() {
     picture_.ticked(simulation_->game());
@@ -98,10 +110,12 @@ class Player : public runtime::Client {
   std::unique_ptr<GameSimulation> simulation_;
   Picture& picture_;
   Speakers* speakers_;  // null: in silence
+  Tuning& tuning_;
   const PlayOptions& options_;
   sim::Progress& progress_;
   const std::vector<std::string> levels_;
   std::optional<replay::Recorder> recorder_;
+  bool isRecording_ = false;
   Faults faults_;
   std::uint32_t frames_ = 0;
 };
@@ -132,8 +146,9 @@ int play(const PlayOptions& options) {
 
   const std::unique_ptr<Speakers> speakers = options.mute ? nullptr : Speakers::open();
 
-  Player player(**assets, std::move(*simulation), **picture, speakers.get(), options, saved.progress);
-  runtime::Loop loop(**opened, player);
+  Tuning tuning(**opened);
+  Player player(**assets, std::move(*simulation), **picture, speakers.get(), tuning, options, saved.progress);
+  runtime::Loop loop(tuning.platform(), player);
   while (loop.frame()) {
   }
   for (const Status& written : {player.saveRecording(), saveProgress(saved)}) {

@@ -84,7 +84,8 @@ macro(brittle_find_packages)
   pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)          # PNG, font rasteriser: header-only
   pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.2)       # the language and version of the community's levels
   pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)        # .gz segments, replay compression
-  foreach(package egl osmesa stb lua zlib)
+  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)      # the sandbox's sliders: immediate mode, draws what we hand it
+  foreach(package egl osmesa stb lua zlib imgui)
     add_library(${package} ALIAS PkgConfig::${package})
   endforeach()
   add_library(brittle_gles_headers INTERFACE)

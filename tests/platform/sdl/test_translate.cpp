@@ -85,6 +85,7 @@ TEST_F(Translate, NamesKeysAndRepeats) {
   EXPECT_EQ(key(SDL_KEYUP, SDLK_ESCAPE).at(0).kind, EventKind::KeyUp);
   EXPECT_EQ(key(SDL_KEYDOWN, SDLK_SPACE).at(0).key, Key::Space);
   EXPECT_EQ(key(SDL_KEYDOWN, SDLK_F3).at(0).key, Key::F3);
+  EXPECT_EQ(key(SDL_KEYDOWN, SDLK_F4).at(0).key, Key::F4);
   EXPECT_EQ(key(SDL_KEYDOWN, SDLK_F5).at(0).key, Key::Other);
   EXPECT_TRUE(key(SDL_KEYDOWN, SDLK_a, 1).at(0).repeated);
 }
