@@ -116,7 +116,10 @@ int show(const Options& options, const content::AssetSource& assets, std::unique
   def.offscreen = !(*platform)->hasDefaultFramebuffer();
   const auto renderer = render::Renderer::create(*gl, def);
   if (!renderer) return refuse(renderer.error());
-  if (!run) run = std::make_unique<ReplayRun>(assets, std::move(recorded.replay), std::move(recorded.game), **renderer);
+  // A recorded game draws with the renderer to its end, so it ends first.
+  const std::unique_ptr<Run> run =
+      scene ? std::move(scene)
+            : std::make_unique<ReplayRun>(assets, std::move(recorded.replay), std::move(recorded.game), **renderer);
 
   panels::Gui gui;
   Sandbox sandbox(*run, **renderer, gui, **platform, options.frames);
