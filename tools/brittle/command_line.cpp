@@ -69,15 +69,9 @@ void addPlay(CLI::App& app, Action& action) {
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
   command->add_flag("--mute", options->mute, "without sound");
   command->footer(
-      "Touch or click: throw. P: pause. R: restart. F3: frame time. F4: settings of accuracy. Escape: leave.
-
-"
-      "Examples:
-  brittle play
-  brittle play first --seed 7 --record game.brt
-  brittle play --accuracy phone");
-  command->callback([options, &action] {
-    action = [options] { return play(*options); }; });
+      "Touch or click: throw. P: pause. R: restart. F3: frame time. F4: settings of accuracy. Escape: leave.\n\n"
+      "Examples:\n  brittle play\n  brittle play first --seed 7 --record game.brt\n  brittle play --accuracy phone");
+  command->callback([options, &action] { action = [options] { return play(*options); }; });
 }
 
 void addRender(CLI::App& app, Action& action) {

@@ -42,6 +42,7 @@ bool presets(Accuracy& accuracy) {
 bool breaking(Accuracy& a) {
   bool isChanged = choice("breaks", a.fractureMode, "inside the step\0after it\0after it, blended\0");
   isChanged |= whole("rounds (0: all)", a.fractureRounds, 0, 64);
+  isChanged |= whole("fast rounds", a.fastRounds, 0, 64);
   isChanged |= ImGui::Checkbox("impulse cap", &a.impulseCap);
   isChanged |= real("blend", a.blend, 0.0f, 1.0f, "%.2f");
   isChanged |= real("pattern density", a.patternDensity, 0.1f, 10.0f, "%.2f");
