@@ -89,7 +89,7 @@ Result<sim::SmokeSettings> settingsOf(const SmokeOptions& options) {
   sim::SmokeSettings settings;
   settings.isCalledOff = isInterrupted;
   const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
-  if (!accuracy) return refuse(accuracy.error());
+  if (!accuracy) return accuracy.error();
   settings.accuracy = *accuracy;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
