@@ -2,7 +2,7 @@ width = 1060
 load scripts.'/style.gp'
 set title 'What a budget buys: the best settings that 99 of 100 ticks of a room keep it with' font ',15'
 set logscale xy
-set xrange [0.4:13]
+set xrange [0.4:18]
 set xtics (0.5, 1, 2, 4, 8)
 set format y '%g'
 set xlabel 'budget of a tick of the whole game [ms]'

@@ -1,6 +1,6 @@
-width = 1040; height = 620
+width = 1200; height = 640
 load scripts.'/style.gp'
-set title 'Error against time: every setting measured, the front of the best, and the presets on it' font ',16'
+set title 'Error against time: all that was measured, its front, and the presets' font ',15'
 set logscale xy
 set xlabel 'processor time per simulated second, mean of the scenes [ms/s]'
 set ylabel 'error score (1: as much as one would notice)'
@@ -13,6 +13,6 @@ array colours[11] = [red, blue, green, sky, orange, purple, yellow, '#7f6000', '
 shown(knob) = strcol(1) eq knob ? $7 : NaN
 plot for [i = 1:11] table('settings') using (shown(word(knobs, i))):6 with points pt 7 ps 0.8 lc rgb colours[i] title (word(knobs, i) eq 'grid' ? 'iterations x sub-steps' : word(knobs, i)), \
      table('settings') using ($5 == 1 ? $7 : NaN):6 smooth unique with lines lw 2.5 lc rgb '#777777' title 'front', \
-     table('settings') using (strcol(1) eq 'preset' ? $7 : NaN):6 with points pt 65 ps 2.2 lw 2 lc rgb black title 'presets', \
+     table('settings') using (strcol(1) eq 'preset' ? $7 : NaN):6 with points pt 6 ps 2.4 lw 2 lc rgb black title 'presets', \
      table('settings') using (strcol(1) eq 'preset' ? $7 : NaN):6:2 with labels left offset 1,0.8 font ',12' notitle, \
      table('settings') using ($4 == 1 ? $7 : NaN):6 with points pt 3 ps 2.4 lw 2 lc rgb red title 'default'
