@@ -213,8 +213,10 @@ bool findSaturated(State& state) {
 
 bool isStruckFast(const State& state, float dt) {
   return std::any_of(state.strikes.list.begin(), state.strikes.list.end(), [&](const Strike& strike) {
+    // Not a fresh piece in its maker's way: small, so that it is always fast, and seen by nobody.
+    if (!strike.saturated || !strike.mayBreak || !(strike.body == strike.striker)) return false;
     const float size = 2.0f * state.bodies[sweptBody(state, strike)].radius;
-    return strike.saturated && strike.mayBreak && strike.relativeVelocity.norm() * dt > size;
+    return strike.relativeVelocity.norm() * dt > size;
   });
 }
 
