@@ -11,7 +11,7 @@ std::span<const Scene> allScenes() {
       {"panes", "a ball of 1 kg at 20 m/s through six anchored panes 5 cm apart, by its phase within a tick", 64, false,
        buildSixPanes},
       {"grazes", "a fast ball that passes a pane within 15 mm, or cuts 10 to 30 mm into it", 256, false, buildGraze},
-      {"stack", "a ball of half a ton rests on eight blocks of glass that can bear three times as much", 4, true,
+      {"stack", "a ball of half a ton rests on six blocks of glass that can bear three times as much", 4, true,
        buildStack},
       {"shatter", "a ball shatters a block of glass that flies and spins, far from everything", 32, false,
        buildShatter},

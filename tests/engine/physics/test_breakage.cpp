@@ -91,9 +91,9 @@ TEST(Breakage, WhatIsFastBreaksOnInTheSameTickUpToItsBound) {
   for (const Passage& passage : {three, eight, twelve}) EXPECT_NEAR(passage.exitSpeed, 98.8f, 0.5f);
 }
 
-// 2 m/s are 3 cm in a tick: less than the ball and its shards. Nothing would be seen to hang.
+// 5 m/s are 8 cm in a tick: less than the ball. It would not be seen to hang.
 TEST(Breakage, WhatIsSlowKeepsToTheRoundsThatAllHave) {
-  const Passage none = pass(2.0f, 0.006f, 0), all = pass(2.0f, 0.006f, 64);
+  const Passage none = pass(5.0f, 0.015f, 0), all = pass(5.0f, 0.015f, 64);
   EXPECT_EQ(none.mostRounds, 3u);
   EXPECT_GT(none.held, 0u);
   EXPECT_EQ(all.mostRounds, 3u);
