@@ -30,7 +30,7 @@ std::optional<Accuracy> preset(std::string_view name) {
   Accuracy accuracy;
   if (name == "balanced") return accuracy;
   if (name == "phone") {
-    accuracy.iterations = 4;
+    accuracy.minVolumeScale = 10.0f;
   } else if (name == "accurate") {
     accuracy.iterations = 16;
     accuracy.substeps = 2;

@@ -109,7 +109,7 @@ class Quick(unittest.TestCase):
         for row in self.rows("splitters"):
             failures[row["splitter"]] = failures.get(row["splitter"], 0) + float(row["failures"])
             self.assertGreater(float(row["splits"]), 0, row)
-        for ours in ("ours, float", "ours, double", "exact rationals"):
+        for ours in ("ours float", "ours double", "exact rationals"):
             self.assertEqual(failures[ours], 0, ours)
         for naive in ("naive float", "naive double"):
             self.assertGreater(failures[naive], 0, naive)

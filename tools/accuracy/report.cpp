@@ -153,10 +153,11 @@ std::string scoredTable(const std::vector<Scored>& scored, bool (*isWanted)(cons
 }
 
 const char* reasonFor(const std::string& preset) {
-  if (preset == "phone") return "the cheapest point before speeds, stacks or breaks become wrong to the eye";
-  if (preset == "balanced") return "the default: exit speeds exact, stacks stand, a room's ticks well within a frame";
-  if (preset == "accurate") return "where the front bends: beyond it time grows faster than the error falls";
-  return "small steps, for recordings and for comparing with";
+  if (preset == "phone") return "small pieces become debris: less time, and no other error grows";
+  if (preset == "balanced") return "the default: exit speeds exact, a room's ticks well within a frame";
+  if (preset == "accurate")
+    return "stacks stand and pendulums keep time; the room's ticks stay near those of the default";
+  return "the least error that was measured: for recordings and to compare with";
 }
 
 std::string presets(const Outcome& outcome) {

@@ -144,8 +144,8 @@ std::vector<SplitterRow> compareSplitters(const Effort& effort, const Advance& a
     add(fare<float, NaiveSplitter<float>>("naive float", mode, attempts, kPieces));
     add(fare<float, NaiveSplitter<float>>("float with epsilon", mode, attempts, kPieces, {.epsilon = 1e-5f}));
     add(fare<double, NaiveSplitter<double>>("naive double", mode, attempts, kPieces));
-    add(fare<float, OurSplitter<float>>("ours, float", mode, attempts, kPieces));
-    add(fare<double, OurSplitter<double>>("ours, double", mode, attempts, kPieces));
+    add(fare<float, OurSplitter<float>>("ours float", mode, attempts, kPieces));
+    add(fare<double, OurSplitter<double>>("ours double", mode, attempts, kPieces));
     add(fare<Exact, OurSplitter<Exact>>("exact rationals", mode, exactAttempts, kExactPieces));
   }
   return rows;

@@ -1,6 +1,6 @@
 width = 1200; height = 540
 load scripts.'/style.gp'
-set multiplot layout 1,2 title "Glass that breaks inside the step leaves the ball its exact speed" font ',16' offset 0,-0.6 margins 0.07,0.765,0.13,0.82 spacing 0.1
+set multiplot layout 1,2 title "Glass that breaks inside the step leaves the ball its exact speed" font ',16' offset 0,-0.6 margins 0.07,0.745,0.13,0.82 spacing 0.1
 set logscale xy
 set xrange [17:235]
 set xtics (20, 50, 100, 200)
@@ -22,6 +22,6 @@ unset label 1
 set title 'place, worst phase of the gap' font ',13'
 set ylabel 'behind where it should be by [cm]'
 set yrange [0.05:20000]
-set key at screen 0.99, screen 0.80 right top vertical Left reverse
+set key at screen 0.995, screen 0.80 right top vertical Left reverse
 plot for [i = 1:8] table('panes') using (row(word(ways, i), 6) ? $4 : NaN):($8 < 0.05 ? 0.05 : $8) with linespoints lw (i == 7 ? 4 : 2) pt 7 ps (i == 7 ? 1.1 : 0.7) lc rgb colours[i] title word(names, i)
 unset multiplot

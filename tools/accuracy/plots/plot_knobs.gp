@@ -6,7 +6,7 @@ set logscale xy
 set format '%g'
 set key off
 set tics font ',9'
-set xtics (5, 10, 20, 50, 100, 200, 500, 1000, 2000)
+set xtics (5, 20, 100, 500, 2000)
 set ytics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)
 stats table('settings') using 7 nooutput
 set xrange [STATS_min * 0.8:STATS_max * 1.3]

@@ -1,6 +1,6 @@
 width = 1120; height = 540
 load scripts.'/style.gp'
-set multiplot layout 1,2 title 'Few rounds cost lag; more of them only for what is fast mend it' font ',16' offset 0,-0.6 margins 0.07,0.985,0.13,0.82 spacing 0.09
+set multiplot layout 1,2 title 'Few rounds cost lag; more of them only for what is fast mend it' font ',16' offset 0,-0.6 margins 0.085,0.985,0.13,0.82 spacing 0.09
 place(way) = way eq '1' ? 1 : way eq '2' ? 2 : way eq '3' ? 3 : way eq '5' ? 4 : way eq 'unbounded' ? 5 : way eq '3 to 8' ? 6 : NaN
 set xtics ('1' 1, '2' 2, '3' 3, '5' 4, 'any' 5, '3, fast 8' 6)
 set xrange [0.8:6.4]

@@ -11,4 +11,4 @@ set yrange [0:*]
 set grid noxtics
 set key outside right top vertical Left reverse invert
 array colours[10] = [sky, '#b8dcf2', blue, red, orange, '#7cc8ae', green, yellow, purple, '#c8c8c8']
-plot for [i = 3:12] table('phases') using i:xtic(strcol(1).' ('.strcol(2).')') lc rgb colours[i - 2] title columnheader(i)
+plot for [i = 3:12] table('phases') using i:xtic((strcol(1) eq 'unbounded' ? 'any' : strcol(1) eq '3 to 8' ? '3, fast 8' : strcol(1)).' ('.strcol(2).')') lc rgb colours[i - 2] title columnheader(i)

@@ -8,7 +8,7 @@ set yrange [0.5:100000]
 set ytics add ('none' 1)
 set format x '10^{%T}'
 set key outside right top vertical Left reverse
-splitters = "'naive float' 'float with epsilon' 'naive double' 'ours, float' 'ours, double' 'exact rationals'"
+splitters = "'naive float' 'float with epsilon' 'naive double' 'ours float' 'ours double' 'exact rationals'"
 array colours[6] = [red, orange, purple, blue, sky, green]
 cuts = 'random vertex edge face'
 array shapes[4] = [7, 5, 9, 13]
