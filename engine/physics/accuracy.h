@@ -64,8 +64,8 @@ struct Accuracy {
 /// Whether a world can be stepped with these: every number finite and within the range named above.
 bool isWithinRange(const Accuracy& accuracy);
 
-/// Named settings, from the cheapest to the most accurate; `balanced` is the default. They are points on the front of
-/// error against time that tools/accuracy measures; its report says which and why.
+/// Named settings, from the cheapest to the most accurate: points on the front of error against time that
+/// tools/accuracy measures, its report says why; but `balanced`, the default, which lies beside it.
 std::span<const std::string_view> presetNames();
 /// None of that name: nothing.
 std::optional<Accuracy> preset(std::string_view name);
