@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kBounce = 0.3f;      // part of the normal speed a crumb keeps [-]; by eye
 constexpr float kSlide = 0.6f;       // part of the tangential speed it keeps at a bounce [-]; by eye
-constexpr float kRestSpeed = 0.15f;  // [m/s]
+constexpr float kCrumbRestSpeed = 0.15f;  // [m/s]
 
 /// The radius of a cube of that volume, edge / 2. [m]
 float radiusOf(float volume) {
@@ -50,7 +50,7 @@ void stepCrumb(const State& state, float dt, Crumb& crumb) {
   const float along = crumb.velocity.dot(hit.normal);
   const Vec3 normalPart = hit.normal * along;
   crumb.velocity = (crumb.velocity - normalPart) * kSlide - normalPart * kBounce;
-  crumb.resting = crumb.velocity.norm() < kRestSpeed && hit.normal.dot(state.gravity) < 0.0f;
+  crumb.resting = crumb.velocity.norm() < kCrumbRestSpeed && hit.normal.dot(state.gravity) < 0.0f;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Result<Egl> loadEgl() {
 
 Egl loadedEgl;  // the GL loader is a plain function and needs it
 
-void* findGl(const char* name) {
+void* findInEgl(const char* name) {
   return reinterpret_cast<void*>(loadedEgl.GetProcAddress(name));
 }
 
@@ -54,7 +54,7 @@ class EglContext : public Context {
     loadedEgl.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     loadedEgl.DestroyContext(display_, context_);
   }
-  runtime::GlLoader loader() const override { return findGl; }
+  runtime::GlLoader loader() const override { return findInEgl; }
 
  private:
   EGLDisplay display_;

@@ -37,7 +37,7 @@ Status loadOsMesa() {
   return Done{};
 }
 
-void* findGl(const char* name) {
+void* findInOsMesa(const char* name) {
   return reinterpret_cast<void*>(loadedOsMesa.getProcAddress(name));
 }
 
@@ -48,7 +48,7 @@ class OsMesaHolder : public Context {
     loadedOsMesa.makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
     loadedOsMesa.destroyContext(context_);
   }
-  runtime::GlLoader loader() const override { return findGl; }
+  runtime::GlLoader loader() const override { return findInOsMesa; }
   bool makeCurrent() {
     return loadedOsMesa.makeCurrent(context_, picture_.data(), GL_UNSIGNED_BYTE, kFormalSize, kFormalSize) != GL_FALSE;
   }

@@ -125,4 +125,6 @@ function(brittle_program name)
   add_executable(${name} ${sources})
   brittle_precompile(${name} ${kind})
   target_link_libraries(${name} PRIVATE ${ARG_UNPARSED_ARGUMENTS})
+  # A tool is many small scenes, each with a kSpeed of its own: its files are compiled one by one.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()

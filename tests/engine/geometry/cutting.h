@@ -12,6 +12,7 @@
 #include "engine/geometry/convex.h"
 #include "engine/geometry/make.h"
 #include "engine/geometry/split.h"
+#include "engine/math/transform.h"
 
 namespace brittle::geometry {
 
@@ -241,6 +242,11 @@ inline Vec3 drawVector(Random& random) {
   const float y = random.nextFloat(-1.0f, 1.0f);
   const float z = random.nextFloat(-1.0f, 1.0f);
   return Vec3(x, y, z);
+}
+
+inline Quat drawRotation(Random& random) {
+  const Vec3 axis = normalizedOr(drawVector(random), Vec3::UnitX());
+  return rotationAbout(axis, random.nextFloat(-3.0f, 3.0f));
 }
 
 }  // namespace brittle::geometry

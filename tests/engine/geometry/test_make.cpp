@@ -8,6 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/geometry/mass.h"
 #include "engine/math/transform.h"
+#include "tests/engine/geometry/cutting.h"
 
 namespace brittle::geometry {
 namespace {
@@ -16,18 +17,6 @@ std::vector<Vec3> pointsOf(const Convex& convex) {
   std::vector<Vec3> points;
   for (const Vertex& vertex : convex.vertices) points.push_back(vertex.point);
   return points;
-}
-
-Vec3 drawVector(Random& random) {
-  const float x = random.nextFloat(-1.0f, 1.0f);
-  const float y = random.nextFloat(-1.0f, 1.0f);
-  const float z = random.nextFloat(-1.0f, 1.0f);
-  return Vec3(x, y, z);
-}
-
-Quat drawRotation(Random& random) {
-  const Vec3 axis = normalizedOr(drawVector(random), Vec3::UnitX());
-  return rotationAbout(axis, random.nextFloat(-3.0f, 3.0f));
 }
 
 TEST(Make, BoxHasItsPlanesThroughItsCorners) {

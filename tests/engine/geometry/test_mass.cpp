@@ -11,13 +11,6 @@
 namespace brittle::geometry {
 namespace {
 
-Quat drawRotation(Random& random) {
-  const float x = random.nextFloat(-1.0f, 1.0f);
-  const float y = random.nextFloat(-1.0f, 1.0f);
-  const float z = random.nextFloat(-1.0f, 1.0f);
-  return rotationAbout(normalizedOr(Vec3(x, y, z), Vec3::UnitX()), random.nextFloat(-3.0f, 3.0f));
-}
-
 bool isPositiveDefinite(const Mat3& inertia) {
   return mass_detail::smallestPivot(inertia.cast<double>()) > 0.0;
 }

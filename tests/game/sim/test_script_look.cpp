@@ -6,7 +6,7 @@
 namespace brittle::sim {
 namespace {
 
-content::MemorySource withObstacle(const std::string& script) {
+content::MemorySource withThing(const std::string& script) {
   content::MemorySource source = oneRoom("<obstacle pos=\"0.5 1 -10\" type=\"tested\"/>");
   source.add("obstacles/tested.lua", script);
   return source;
@@ -35,7 +35,7 @@ function draw()
 end)";
 
 TEST(ScriptLook, ADecalIsOnItsBodyAfterTheStep) {
-  const content::MemorySource source = withObstacle(kPaintedPane);
+  const content::MemorySource source = withThing(kPaintedPane);
   const auto game = newTestGame(source);
   for (int i = 0; i < 30; ++i) {
     game->tick({});
@@ -56,7 +56,7 @@ TEST(ScriptLook, ADecalIsOnItsBodyAfterTheStep) {
 }
 
 TEST(ScriptLook, ABrokenBodyHasNoDecal) {
-  const content::MemorySource source = withObstacle(kPaintedPane);
+  const content::MemorySource source = withThing(kPaintedPane);
   const auto game = newTestGame(source);
   game->tick(throwAt(0.08f, 0.0f));
   play(*game, 60);
@@ -65,7 +65,7 @@ TEST(ScriptLook, ABrokenBodyHasNoDecal) {
 }
 
 TEST(ScriptLook, DrawIsPartOfTheState) {
-  const content::MemorySource source = withObstacle("n = 0 function draw() n = n + 1 end");
+  const content::MemorySource source = withThing("n = 0 function draw() n = n + 1 end");
   const auto game = newTestGame(source);
   const std::uint64_t before = game->stateHash();
   play(*game, 7);
@@ -84,7 +84,7 @@ TEST(ScriptLook, WhatFailsInDrawIsSaidAndPlayGoesOn) {
   for (const char* call : {"mgBodyDecal(7, 1, 1, 1)", "mgBodyDecal(b, 1, 0, 1)", "mgBodyDecal(b, 1)",
                            "mgBodyDecal(b, 1, 1, 1, 1e9, 0, 0)", "mgBodyDecal(b, 1, 0/0, 1)", "nothing()"}) {
     const content::MemorySource source =
-        withObstacle(std::string("function init() mgStatic(1) b = mgCreateBody() mgCreateBox(b, 1, 1, 1) end\n"
+        withThing(std::string("function init() mgStatic(1) b = mgCreateBody() mgCreateBox(b, 1, 1, 1) end\n"
                                  "function draw() ") +
                      call + " end");
     const auto game = newTestGame(source);
@@ -95,7 +95,7 @@ TEST(ScriptLook, WhatFailsInDrawIsSaidAndPlayGoesOn) {
 }
 
 TEST(ScriptLook, AButtonShowsWhetherItWaits) {
-  const content::MemorySource source = withObstacle(R"(
+  const content::MemorySource source = withThing(R"(
 function init() button, n = mgCreateButton(0, 0, 0), 0 end
 function tick() n = n + 1 mgSetButtonDown(button, n % 10 < 5) end)");
   const auto game = newTestGame(source);
@@ -112,7 +112,7 @@ function tick() n = n + 1 mgSetButtonDown(button, n % 10 < 5) end)");
 }
 
 TEST(ScriptLook, CallsThatChangeNothingSeenSaySoOnce) {
-  const content::MemorySource source = withObstacle(
+  const content::MemorySource source = withThing(
       "function init() mgRoundness(0.5) mgShapeChamfer(0.1) mgHideEdges(true) mgTexture(true, 1, 1, 0, 0) end\n"
       "function tick() mgRoundness(1) mgTexture(false) end");
   const auto game = newTestGame(source);
