@@ -7,8 +7,8 @@
 namespace brittle::physics {
 namespace {
 
-constexpr float kBounce = 0.3f;      // part of the normal speed a crumb keeps [-]; by eye
-constexpr float kSlide = 0.6f;       // part of the tangential speed it keeps at a bounce [-]; by eye
+constexpr float kBounce = 0.3f;           // part of the normal speed a crumb keeps [-]; by eye
+constexpr float kSlide = 0.6f;            // part of the tangential speed it keeps at a bounce [-]; by eye
 constexpr float kCrumbRestSpeed = 0.15f;  // [m/s]
 
 /// The radius of a cube of that volume, edge / 2. [m]

@@ -114,14 +114,7 @@ void OverlayBatch::upload(const Gl& gl, const std::shared_ptr<const OverlayTextu
   BR_ASSERT(texture->width > 0 && texture->height > 0);
   BR_ASSERT(texture->coverage.size() == static_cast<std::size_t>(texture->width) * texture->height);
   uploaded_ = texture;
-  texture_ = GlTexture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture_.name());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_R8, texture->width, texture->height);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture->width, texture->height, GL_RED, GL_UNSIGNED_BYTE,
-                   texture->coverage.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  texture_ = makeByteTexture(gl, texture->width, texture->height, 1, texture->coverage);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }

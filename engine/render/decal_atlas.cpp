@@ -228,17 +228,7 @@ std::vector<std::uint8_t> paintDecals() {
 }
 
 GlTexture makeDecalTexture(const Gl& gl) {
-  const std::vector<std::uint8_t> atlas = paintDecals();
-  GlTexture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.name());
-  gl.TexStorage2D(GL_TEXTURE_2D, kMipLevels, GL_R8, kDecalsAcross * kDecalPixels, kDecalRows * kDecalPixels);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kDecalsAcross * kDecalPixels, kDecalRows * kDecalPixels, GL_RED,
-                   GL_UNSIGNED_BYTE, atlas.data());
-  gl.GenerateMipmap(GL_TEXTURE_2D);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
+  return makeByteTexture(gl, kDecalsAcross * kDecalPixels, kDecalRows * kDecalPixels, kMipLevels, paintDecals());
 }
 
 }  // namespace brittle::render

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "engine/render/gl.h"
 
@@ -44,6 +45,10 @@ using GlTexture = GlObject<GlKind::Texture>;
 using GlRenderbuffer = GlObject<GlKind::Renderbuffer>;
 using GlFramebuffer = GlObject<GlKind::Framebuffer>;
 using GlVertexArray = GlObject<GlKind::VertexArray>;
+
+/// A texture of one byte a texel, top row first, seen smoothly; with more than one level, smaller ones are made from
+/// it. Leaves it bound.
+GlTexture makeByteTexture(const Gl& gl, int width, int height, int levels, const std::vector<std::uint8_t>& texels);
 
 /// One attribute of a vertex array: `components` values of `type` at `offset` in records of `stride` bytes.
 /// Whole: reaches the shader as integers. Normalized: whole numbers become [0, 1] or [-1, 1].

@@ -69,10 +69,9 @@ Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
 
 Status Passes::build(Which which) {
   static const ProgramSource* const sources[kPrograms] = {
-      &glsl::kBackground, &glsl::kRoom,   &glsl::kSolid, &glsl::kSphere,    &glsl::kCrumb,
-      &glsl::kDecal,      &glsl::kShadow, &glsl::kGlass, &glsl::kEdge,      &glsl::kGlow,
-      &glsl::kBeam,       &glsl::kBright, &glsl::kBlur,  &glsl::kComposite, &glsl::kHud,
-      &glsl::kOverlay};
+      &glsl::kBackground, &glsl::kRoom,      &glsl::kSolid, &glsl::kSphere, &glsl::kCrumb, &glsl::kDecal,
+      &glsl::kShadow,     &glsl::kGlass,     &glsl::kEdge,  &glsl::kGlow,   &glsl::kBeam,  &glsl::kBright,
+      &glsl::kBlur,       &glsl::kComposite, &glsl::kHud,   &glsl::kOverlay};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();

@@ -61,8 +61,8 @@ class Renderer {
                         std::uint32_t polished = 0);
   void destroyStatic(StaticId id);
 
-  /// Draws one picture, and the overlay on top of it unless it is null or empty. Uploads the dirty ranges of the frame's
-  /// pools first and clears them.
+  /// Draws one picture, and the overlay on top of it unless it is null or empty. Uploads the dirty ranges of the
+  /// frame's pools first and clears them.
   void draw(const Frame& frame, const Overlay* overlay = nullptr);
   /// The picture drawn last.
   Image readBack();

@@ -77,11 +77,10 @@ void Program::bindPlaces() const {
     if (index != GL_INVALID_INDEX) gl_->UniformBlockBinding(name_, index, place);
   }
   use();
-  const std::pair<const char*, GLint> units[] = {{"bodyTexture", kUnitBodies},  {"shapeTexture", kUnitShapes},
-                                                 {"colorTexture", kUnitColor},  {"depthTexture", kUnitDepth},
-                                                 {"tileTexture", kUnitTiles},   {"glyphTexture", kUnitGlyphs},
-                                                 {"decalTexture", kUnitDecals}, {"bloomTexture", kUnitBloom},
-                                                 {"coverageTexture", kUnitOverlay}};
+  const std::pair<const char*, GLint> units[] = {
+      {"bodyTexture", kUnitBodies},  {"shapeTexture", kUnitShapes}, {"colorTexture", kUnitColor},
+      {"depthTexture", kUnitDepth},  {"tileTexture", kUnitTiles},   {"glyphTexture", kUnitGlyphs},
+      {"decalTexture", kUnitDecals}, {"bloomTexture", kUnitBloom},  {"coverageTexture", kUnitOverlay}};
   for (const auto& [name, unit] : units) gl_->Uniform1i(location(name), unit);
 }
 

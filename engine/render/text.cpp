@@ -198,16 +198,7 @@ std::vector<std::uint8_t> paintGlyphs() {
 }
 
 GlTexture makeGlyphTexture(const Gl& gl) {
-  const std::vector<std::uint8_t> texels = paintGlyphs();
-  GlTexture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.name());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_R8, kGlyphAtlasWidth, kGlyphAtlasHeight);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kGlyphAtlasWidth, kGlyphAtlasHeight, GL_RED, GL_UNSIGNED_BYTE,
-                   texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
+  return makeByteTexture(gl, kGlyphAtlasWidth, kGlyphAtlasHeight, 1, paintGlyphs());
 }
 
 }  // namespace brittle::render

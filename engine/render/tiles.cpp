@@ -76,16 +76,7 @@ std::vector<std::uint8_t> paintTiles() {
 }
 
 GlTexture makeTileTexture(const Gl& gl) {
-  const std::vector<std::uint8_t> grey = paintTiles();
-  GlTexture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.name());
-  gl.TexStorage2D(GL_TEXTURE_2D, kMipLevels, GL_R8, kAtlasPixels, kAtlasPixels);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kAtlasPixels, kAtlasPixels, GL_RED, GL_UNSIGNED_BYTE, grey.data());
-  gl.GenerateMipmap(GL_TEXTURE_2D);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
+  return makeByteTexture(gl, kAtlasPixels, kAtlasPixels, kMipLevels, paintTiles());
 }
 
 }  // namespace brittle::render

@@ -31,10 +31,12 @@ Result<Egl> loadEgl() {
   const Result<Library> library = Library::open("libEGL.so.1", "libegl1 libegl-mesa0");
   if (!library) return library.error();
   Egl egl;
-#define BR_EGL_LOAD(name, type)                                                                               \
-  egl.name = library->find<type>("egl" #name);                                                                \
-  if (egl.name == nullptr) return Error{"libEGL.so.1 lacks egl" #name ": EGL 1.5 is needed (apt-get install " \
-                                                                      "libegl1)"};
+#define BR_EGL_LOAD(name, type)                          \
+  egl.name = library->find<type>("egl" #name);           \
+  if (egl.name == nullptr)                               \
+    return Error{"libEGL.so.1 lacks egl" #name           \
+                 ": EGL 1.5 is needed (apt-get install " \
+                 "libegl1)"};
   BR_EGL_FUNCTIONS(BR_EGL_LOAD)
 #undef BR_EGL_LOAD
   return egl;

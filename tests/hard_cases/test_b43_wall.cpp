@@ -25,7 +25,7 @@ struct Wall {
   World world;
   std::vector<Brick> bricks;  // row by row from below
 
-  explicit Wall(int columns) : world(awake()) {
+  explicit Wall(int columns) : world(alwaysAwake()) {
     addFloor(world);
     const float pitch = 2.0f * kBrick.x() + kJoint;
     const float half = 0.5f * kBrick.x() - 0.25f * kJoint;
@@ -68,13 +68,6 @@ struct Wall {
       most = maxOf(most, std::sqrt(gone.x() * gone.x() + gone.z() * gone.z()));
     }
     return most;
-  }
-
- private:
-  static WorldDef awake() {
-    WorldDef def;
-    def.accuracy.deactivation = false;
-    return def;
   }
 };
 

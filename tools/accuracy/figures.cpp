@@ -131,12 +131,15 @@ std::span<const Figure> allFigures() {
   return figures;
 }
 
+std::size_t sceneOf(const Figure& figure) {
+  return static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());
+}
+
 std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& seen,
                                 const std::vector<std::vector<Observation>>& reference) {
   std::vector<Deviation> errors;
   for (const Figure& figure : allFigures()) {
-    const auto scene = static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());
-    errors.push_back(errorOf(figure, seen[scene], reference[scene]));
+    errors.push_back(errorOf(figure, seen[sceneOf(figure)], reference[sceneOf(figure)]));
   }
   return errors;
 }

@@ -27,6 +27,8 @@ struct Figure {
 };
 
 std::span<const Figure> allFigures();
+/// The index of its scene in allScenes.
+std::size_t sceneOf(const Figure& figure);
 
 /// A figure's error with the bounds of its 95 % confidence, which are the error itself where nothing was sampled.
 struct Deviation {

@@ -1,8 +1,9 @@
 #include "tools/accuracy/knobs.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <initializer_list>
+
+#include "tools/accuracy/csv.h"
 
 namespace brittle::accuracy {
 namespace {
@@ -10,12 +11,6 @@ namespace {
 using physics::Accuracy;
 using physics::FractureMode;
 using physics::ManifoldKind;
-
-std::string textOf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
 
 class List {
  public:
@@ -29,7 +24,7 @@ class List {
     for (const double value : values) {
       Accuracy accuracy;
       accuracy.*field = static_cast<T>(value);
-      add(knob, textOf(value), accuracy);
+      add(knob, shortly(value, 6), accuracy);
     }
   }
   std::vector<Setting> take() { return std::move(settings_); }
@@ -68,7 +63,7 @@ void addManifolds(List& list) {
   for (const float distance : {0.1f, 0.03f, 0.01f, 0.0f}) {
     Accuracy accuracy;
     accuracy.manifold.recycleDistance = distance;
-    list.add("recycle distance", textOf(static_cast<double>(distance)), accuracy);
+    list.add("recycle distance", shortly(static_cast<double>(distance), 6), accuracy);
   }
 }
 

@@ -22,10 +22,9 @@ Csv figuresOf(const Outcome& outcome) {
   for (const Scored& one : outcome.scored)
     for (std::size_t i = 0; i < one.errors.size(); ++i) {
       const Figure& figure = allFigures()[i];
-      const auto scene = static_cast<std::size_t>(findScene(figure.scene) - allScenes().data());
       csv.row() << one.setting.knob << one.setting.value << double(one.setting.order) << std::string(figure.scene)
                 << std::string(figure.name) << std::string(figure.unit) << one.errors[i].value << one.errors[i].low
-                << one.errors[i].high << figure.tolerance << one.cost.scenes[scene];
+                << one.errors[i].high << figure.tolerance << one.cost.scenes[sceneOf(figure)];
     }
   return csv;
 }

@@ -33,16 +33,17 @@ void Phases::show() {
                 static_cast<double>(worst));
   ImGui::PlotHistogram("##ticks", totals_, static_cast<int>(kRemembered), static_cast<int>(next_ % kRemembered), text,
                        0.0f, std::max(worst, 1.0f), ImVec2(ImGui::GetContentRegionAvail().x, 50.0f));
-  double most = 1e-3;
-  for (const auto& [name, ms] : shown_) most = std::max(most, ms);
+  double most = 1e-3, sum = 0.0;
+  for (const auto& [name, ms] : shown_) {
+    most = std::max(most, ms);
+    sum += ms;
+  }
   for (const auto& [name, ms] : shown_) {
     if (ms < kLeastShown) continue;
     ImGui::ProgressBar(static_cast<float>(ms / most), ImVec2(kBarWidth, ImGui::GetFontSize()), "");
     ImGui::SameLine();
     ImGui::Text("%.3f  %s", ms, name.c_str());
   }
-  double sum = 0.0;
-  for (const auto& [name, ms] : shown_) sum += ms;
   ImGui::Text("%.1f %% of a tick's %.1f ms", 100.0 * sum / kTickMilliseconds, kTickMilliseconds);
 }
 

@@ -57,9 +57,9 @@ Result<std::unique_ptr<Run>> openScene(const Options& options) {
   if (options.variant < 0 || options.variant >= scene->variants)
     return Error{"--variant " + std::to_string(options.variant) + ": the scene has 0 to " +
                  std::to_string(scene->variants - 1)};
-  const auto preset = physics::preset(options.preset);
-  if (!preset) return Error{"--accuracy " + options.preset + ": expected " + presetNames()};
-  return std::unique_ptr<Run>(new SceneRun(*scene, options.variant, *preset));
+  const Result<physics::Accuracy> accuracy = program::accuracyOf(options.preset);
+  if (!accuracy) return accuracy.error();
+  return std::unique_ptr<Run>(new SceneRun(*scene, options.variant, *accuracy));
 }
 
 /// A recorded game that this build can play.

@@ -37,7 +37,10 @@ void ReplayRun::show() {
 }
 
 void ReplayRun::step() {
-  if (target_ || tick() >= end()) return;
+  if (!target_ && tick() < end()) forward();
+}
+
+void ReplayRun::forward() {
   timeline_->step();
   show();
 }
@@ -54,10 +57,7 @@ void ReplayRun::goTo(std::uint32_t tick) {
   timeline_->seek(tick > view::kMemoryTicks ? tick - view::kMemoryTicks : 0);
   scene_.reset();
   show();
-  while (timeline_->tick() < tick) {
-    timeline_->step();
-    show();
-  }
+  while (timeline_->tick() < tick) forward();
 }
 
 void ReplayRun::restart() {
@@ -102,8 +102,7 @@ void ReplayRun::advance() {
       target_.reset();
       return;
     }
-    timeline_->step();
-    show();
+    forward();
     if (!isSearching_ || !differs()) continue;
     finding_ = "tick " + std::to_string(tick()) + " is the first that differs";
     isSearching_ = false;

@@ -50,6 +50,7 @@ class ReplayRun : public Run {
  private:
   sim::Game& game() const { return simulation_.game->game(); }
   void show();
+  void forward();
   void advance();
   bool differs();
   void goTo(std::uint32_t tick);

@@ -14,7 +14,7 @@ class Sandbox : public runtime::Client {
  public:
   /// All must outlive it. `frames`: ends after so many pictures; 0: when the window is closed.
   Sandbox(Run& run, render::Renderer& renderer, panels::Gui& gui, runtime::Platform& platform, std::uint32_t frames)
-      : run_(run), renderer_(renderer), gui_(gui), platform_(platform), frames_(frames) {}
+      : run_(run), renderer_(renderer), gui_(gui), platform_(platform), frames_(frames), size_(platform.size()) {}
 
   /// Before the loop hears it. True: it is none of the loop's business.
   bool hear(const runtime::Event& event);
@@ -39,7 +39,7 @@ class Sandbox : public runtime::Client {
   panels::Phases phases_;
   const std::uint32_t frames_;
   std::uint32_t drawn_ = 0, ticks_ = 0;
-  runtime::PictureSize size_;
+  runtime::PictureSize size_;  // that the renderer draws: at first the platform's
   bool isPaused_ = false;
   int slowness_ = 1;  // ticks of the loop to one of the run
 };

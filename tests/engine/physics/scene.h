@@ -29,6 +29,13 @@ inline BodyHandle addBox(World& world, BodyDef def, const Vec3& halfExtents, con
   return body;
 }
 
+/// Nothing in it is ever put to rest.
+inline WorldDef alwaysAwake() {
+  WorldDef def;
+  def.accuracy.deactivation = false;
+  return def;
+}
+
 /// A static box whose top is at y = 0.
 inline BodyHandle addFloor(World& world, float halfWidth = 20.0f) {
   return addBox(world, bodyAt(Vec3(0.0f, -0.5f, 0.0f), BodyType::Static), Vec3(halfWidth, 0.5f, halfWidth));

@@ -17,7 +17,7 @@ struct Stack {
   BodyHandle floor;
   std::vector<BodyHandle> boxes;
 
-  explicit Stack(int count, float aside = 0.0f, float friction = 0.5f) : world(awake()) {
+  explicit Stack(int count, float aside = 0.0f, float friction = 0.5f) : world(alwaysAwake()) {
     floor = addFloor(world);
     for (int i = 0; i < count; ++i)
       boxes.push_back(addBox(world, bodyAt(placeOf(i, aside)), kBox, shapeDef(2000.0f, friction)));
@@ -37,13 +37,6 @@ struct Stack {
       for (int i = 0; i < contact.manifold.count; ++i) sum += contact.manifold.points[i].normalImpulse;
     });
     return sum;
-  }
-
- private:
-  static WorldDef awake() {
-    WorldDef def;
-    def.accuracy.deactivation = false;
-    return def;
   }
 };
 

@@ -27,9 +27,7 @@ TEST(World, ABoxComesToRestOnTheFloorAndSleeps) {
 }
 
 TEST(World, AStackOfTenStandsForTenSeconds) {
-  WorldDef def;
-  def.accuracy.deactivation = false;
-  World world(def);
+  World world(alwaysAwake());
   addFloor(world);
   std::vector<BodyHandle> boxes;
   for (int i = 0; i < 10; ++i)

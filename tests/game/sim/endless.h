@@ -71,7 +71,7 @@ class Thrower {
 
  private:
   static constexpr std::uint64_t kEvery = 15, kAgain = 45;  // [ticks]
-  static constexpr float kFarthest = 25.0f;                // [m]
+  static constexpr float kFarthest = 25.0f;                 // [m]
 
   float spread(float most) { return random_.nextFloat(-most, most); }
 

@@ -85,8 +85,8 @@ TEST(ScriptLook, WhatFailsInDrawIsSaidAndPlayGoesOn) {
                            "mgBodyDecal(b, 1, 1, 1, 1e9, 0, 0)", "mgBodyDecal(b, 1, 0/0, 1)", "nothing()"}) {
     const content::MemorySource source =
         withThing(std::string("function init() mgStatic(1) b = mgCreateBody() mgCreateBox(b, 1, 1, 1) end\n"
-                                 "function draw() ") +
-                     call + " end");
+                              "function draw() ") +
+                  call + " end");
     const auto game = newTestGame(source);
     play(*game, 5);
     EXPECT_EQ(game->problems().size(), 1u) << call;
