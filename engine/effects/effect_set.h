@@ -7,30 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/effects/effect.h"
+
 namespace brittle::effects {
-
-/// Anything that costs time or memory and that a scene can do without.
-enum class Effect : std::uint8_t {
-  Fracture,
-  Joints,
-  Drives,
-  Debris,
-  // Only seen:
-  Fog,
-  Bloom,      // lamps shine beyond their outline
-  Mirror,     // polished floors show the room
-  Shadows,    // soft ones under things
-  Decals,     // pictures on surfaces
-  Particles,  // what floats in a room's air
-  // Only heard:
-  Reverb,
-  Echo,
-  LowPass,
-  Music,
-  Count
-};
-
-const char* nameOf(Effect effect);
 
 /// A reason an effect is on: the content that asked for it.
 struct Demand {
@@ -47,7 +26,7 @@ class EffectSet {
   void clear();
 
  private:
-  std::array<std::uint32_t, static_cast<std::size_t>(Effect::Count)> counts_{};
+  std::array<std::uint32_t, kEffects> counts_{};
   std::vector<Demand> demands_;
 };
 

@@ -188,7 +188,7 @@ void setParticles(script::Call& call, Builder& builder) {
   const std::string name = call.string(1);
   if (call.failed()) return;
   builder.plan.settings.particles = name;
-  if (!name.empty()) builder.plan.effects.demand(effects::Effect::Particles, call.where());
+  if (!name.empty()) builder.plan.effects.demand(effects::Effect::Air, call.where());
 }
 
 void setMusic(script::Call& call, Builder& builder) {

@@ -57,7 +57,7 @@ def main():
     root, build = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     work = build / "headers_alone"
     work.mkdir(parents=True, exist_ok=True)
-    flags = FLAGS + package_flags()
+    flags = FLAGS + [f"-I{build}/generated"] + package_flags()
     headers = [n for n in tracked(root) if n.endswith(".h") and n.startswith(("engine/", "game/", "platform/", "tools/"))]
     headers = [n for n in headers if not n.startswith(("platform/android", "platform/web"))]
     graph = includes_of(root, headers)

@@ -9,7 +9,7 @@ namespace {
 
 using effects::Effect;
 
-constexpr Effect kSeen[] = {Effect::Bloom, Effect::Mirror, Effect::Shadows, Effect::Decals, Effect::Particles};
+constexpr Effect kSeen[] = {Effect::Bloom, Effect::Mirror, Effect::Shadows, Effect::Decals, Effect::Air};
 const std::string kPlainRoom = "mgSegment('test/plain', 0) mgLength(160)";
 
 content::MemorySource roomOf(const std::string& attributes, const std::string& elements,
@@ -46,7 +46,7 @@ TEST(LookEffects, EachIsDemandedByTheFileThatAsks) {
   EXPECT_THAT(asked(Effect::Shadows, "softshadow=\"0.4\"", ""), ElementsAre(file));
   EXPECT_THAT(asked(Effect::Decals, "softshadow=\"0\"", "<decal pos=\"0 1 -3\" size=\"1 1\" tile=\"3\"/>"),
               ElementsAre(file));
-  EXPECT_THAT(whoAskedFor(Effect::Particles, roomOf("softshadow=\"0\"", "", " mgParticles('starfield')")),
+  EXPECT_THAT(whoAskedFor(Effect::Air, roomOf("softshadow=\"0\"", "", " mgParticles('starfield')")),
               ElementsAre(::testing::StartsWith("rooms/test/room.lua:1")));
 }
 
