@@ -38,4 +38,17 @@ const EffectInfo& infoOf(Effect effect) {
   return kInfos[static_cast<std::size_t>(effect)];
 }
 
+EffectMask maskOf(Kind kind) {
+  EffectMask mask;
+  for (std::size_t i = 0; i < kEffects; ++i)
+    if (kInfos[i].kind == kind) mask = mask.with(static_cast<Effect>(i));
+  return mask;
+}
+
+std::optional<Effect> effectNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kEffects; ++i)
+    if (name == kInfos[i].name) return static_cast<Effect>(i);
+  return std::nullopt;
+}
+
 }  // namespace brittle::effects

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace brittle::effects {
 
@@ -48,6 +50,31 @@ struct EffectInfo {
   const char* demandedBy;  // which content asks for it
 };
 
+/// Any number of effects.
+class EffectMask {
+ public:
+  constexpr bool has(Effect effect) const { return (bits_ & bitOf(effect)) != 0; }
+  constexpr EffectMask with(Effect effect) const { return EffectMask(bits_ | bitOf(effect)); }
+  constexpr EffectMask without(EffectMask others) const { return EffectMask(bits_ & ~others.bits_); }
+  constexpr bool isEmpty() const { return bits_ == 0; }
+  friend constexpr bool operator==(EffectMask, EffectMask) = default;
+
+  constexpr EffectMask() = default;
+  /// Bits beyond the known effects are dropped.
+  static constexpr EffectMask ofBits(std::uint32_t bits) { return EffectMask(bits & (bitOf(Effect::Count) - 1)); }
+  constexpr std::uint32_t bits() const { return bits_; }
+
+ private:
+  constexpr explicit EffectMask(std::uint32_t bits) : bits_(bits) {}
+  static constexpr std::uint32_t bitOf(Effect effect) { return 1u << static_cast<unsigned>(effect); }
+  std::uint32_t bits_ = 0;
+};
+static_assert(kEffects < 32);
+
+/// All effects of a kind.
+EffectMask maskOf(Kind kind);
+/// Nothing if no effect has that name.
+std::optional<Effect> effectNamed(std::string_view name);
 const EffectInfo& infoOf(Effect effect);
 inline const char* nameOf(Effect effect) { return infoOf(effect).name; }
 

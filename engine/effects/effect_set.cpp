@@ -7,6 +7,13 @@ void EffectSet::demand(Effect effect, std::string who) {
   demands_.push_back({effect, std::move(who)});
 }
 
+EffectMask EffectSet::running() const {
+  EffectMask mask;
+  for (std::size_t i = 0; i < kEffects; ++i)
+    if (const auto effect = static_cast<Effect>(i); runs(effect)) mask = mask.with(effect);
+  return mask;
+}
+
 void EffectSet::clear() {
   counts_.fill(0);
   demands_.clear();

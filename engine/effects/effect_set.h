@@ -1,5 +1,5 @@
-// effects/effect_set.h - which effects a scene calls for, and who asked. An effect that nobody demands has no stage
-// that runs.
+// effects/effect_set.h - which effects a scene calls for, and who asked. A stage runs only if its effect is demanded,
+// compiled in and not switched off by the player.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/effects/built.h"
 #include "engine/effects/effect.h"
 
 namespace brittle::effects {
@@ -25,9 +26,17 @@ class EffectSet {
   const std::vector<Demand>& demands() const { return demands_; }
   void clear();
 
+  /// What the player does not want; demands are still noted.
+  void switchOff(EffectMask mask) { off_ = mask; }
+  /// Whether the effect's stage is to be called.
+  bool runs(Effect effect) const { return has(effect) && isBuilt(effect) && !off_.has(effect); }
+  /// All of those.
+  EffectMask running() const;
+
  private:
   std::array<std::uint32_t, kEffects> counts_{};
   std::vector<Demand> demands_;
+  EffectMask off_;
 };
 
 }  // namespace brittle::effects

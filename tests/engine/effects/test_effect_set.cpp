@@ -27,11 +27,38 @@ TEST(EffectSet, ADemandIsOnAndNamesWhoAsked) {
   EXPECT_TRUE(set.demands().empty());
 }
 
-TEST(EffectSet, EveryEffectHasANameOfItsOwn) {
+TEST(EffectSet, WhatIsDemandedRunsUnlessThePlayerSwitchedItOff) {
+  EffectSet set;
+  set.switchOff(EffectMask().with(Effect::Fog));
+  set.demand(Effect::Fog, "room.lua:2");
+  set.demand(Effect::Echo, "room.lua:3");
+  EXPECT_TRUE(set.has(Effect::Fog)) << "the demand is still to be seen";
+  EXPECT_FALSE(set.runs(Effect::Fog));
+  EXPECT_TRUE(set.runs(Effect::Echo));
+  EXPECT_FALSE(set.runs(Effect::Reverb));
+  EXPECT_EQ(set.running(), EffectMask().with(Effect::Echo));
+}
+
+TEST(Effect, EveryOneHasANameOfItsOwnAndIsFoundByIt) {
   std::set<std::string> names;
-  for (int i = 0; i < static_cast<int>(Effect::Count); ++i) names.insert(nameOf(static_cast<Effect>(i)));
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(Effect::Count));
-  EXPECT_FALSE(names.contains("none"));
+  for (std::size_t i = 0; i < kEffects; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    ASSERT_NE(infoOf(effect).name, nullptr);
+    ASSERT_NE(infoOf(effect).demandedBy, nullptr);
+    names.insert(nameOf(effect));
+    EXPECT_EQ(effectNamed(nameOf(effect)), effect);
+  }
+  EXPECT_EQ(names.size(), kEffects);
+  EXPECT_FALSE(effectNamed("lightning").has_value());
+}
+
+TEST(EffectMask, KindsShareNothingAndCoverAll) {
+  std::uint32_t all = 0;
+  for (const Kind kind : {Kind::Physical, Kind::Seen, Kind::Heard}) {
+    EXPECT_EQ(all & maskOf(kind).bits(), 0u);
+    all |= maskOf(kind).bits();
+  }
+  EXPECT_EQ(all, EffectMask::ofBits(~0u).bits());
 }
 
 }  // namespace
