@@ -55,7 +55,9 @@ class EffectMask {
  public:
   constexpr bool has(Effect effect) const { return (bits_ & bitOf(effect)) != 0; }
   constexpr EffectMask with(Effect effect) const { return EffectMask(bits_ | bitOf(effect)); }
-  constexpr EffectMask without(EffectMask others) const { return EffectMask(bits_ & ~others.bits_); }
+  constexpr EffectMask with(EffectMask others) const { return EffectMask(bits_ | others.bits_); }
+  /// Those that are in both.
+  constexpr EffectMask both(EffectMask others) const { return EffectMask(bits_ & others.bits_); }
   constexpr bool isEmpty() const { return bits_ == 0; }
   friend constexpr bool operator==(EffectMask, EffectMask) = default;
 

@@ -7,6 +7,18 @@ void EffectSet::demand(Effect effect, std::string who) {
   demands_.push_back({effect, std::move(who)});
 }
 
+EffectMask EffectSet::demanded() const {
+  EffectMask mask;
+  for (std::size_t i = 0; i < kEffects; ++i)
+    if (counts_[i] > 0) mask = mask.with(static_cast<Effect>(i));
+  return mask;
+}
+
+void EffectSet::keep(EffectMask mask) {
+  for (std::size_t i = 0; i < kEffects; ++i)
+    if (const auto effect = static_cast<Effect>(i); mask.has(effect) && !has(effect)) demand(effect, "a snapshot");
+}
+
 EffectMask EffectSet::running() const {
   EffectMask mask;
   for (std::size_t i = 0; i < kEffects; ++i)

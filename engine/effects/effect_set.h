@@ -25,6 +25,10 @@ class EffectSet {
   std::uint32_t count(Effect effect) const { return counts_[static_cast<std::size_t>(effect)]; }
   const std::vector<Demand>& demands() const { return demands_; }
   void clear();
+  /// Every effect that somebody demands.
+  EffectMask demanded() const;
+  /// Demands those of `mask` that nobody does: scripts that a snapshot was taken after have asked for them.
+  void keep(EffectMask mask);
 
   /// What the player does not want; demands are still noted.
   void switchOff(EffectMask mask) { off_ = mask; }

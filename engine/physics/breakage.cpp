@@ -123,9 +123,10 @@ void placePieces(State& state, const Fracture& result, std::size_t first, std::s
     swap.shapeOfPiece[i] = shape;
     if (!swap.isCarvedOut[piece.group]) swap.piecesOfShape.push_back(shape);
   }
-  if (!result.pieces[heir].isWhole)
-    moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()),
-               kCrackSlop);
+  if constexpr (kHasJoints)
+    if (!result.pieces[heir].isWhole)
+      moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()),
+                 kCrackSlop);
 }
 
 void placeAllPieces(State& state, const Fracture& result, Swap& swap) {
@@ -143,7 +144,7 @@ void dropLostShapes(State& state, const Fracture& result, const Swap& swap) {
   for (const Piece& piece : result.pieces) kept[piece.source] = true;
   for (std::size_t i = 0; i < swap.shapes.size(); ++i) {
     if (kept[i]) continue;
-    moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
+    if constexpr (kHasJoints) moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
     dropShape(state, swap.shapes[i]);
   }
 }
@@ -219,7 +220,7 @@ bool isBefore(const fracture::Impact& a, const fracture::Impact& b) {
 void scatterCrumbs(State& state, const Body& old, std::uint32_t color, const Fracture& result) {
   for (const fracture::Crumb& crumb : result.crumbs) {
     const Vec3 position = old.pose.toWorld(crumb.center);
-    addCrumb(state, position, old.velocityAt(position), crumb.volume, color);
+    shed(state, position, old.velocityAt(position), crumb.volume, color);
   }
 }
 
@@ -273,8 +274,9 @@ std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact*
   if (swap.parts.empty()) return 0;
   const Body old = state.bodies[handle];
   const std::uint32_t color = swap.parts[0].convex.vertices[0].color;
+  if (!state.fracturer) state.fracturer = std::make_shared<fracture::Fracturer>();
   const Fracture& result =
-      state.fracturer.fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
+      state.fracturer->fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
   state.counters.totalRefusedCuts += result.refusedCuts;
   state.counters.crumbs += static_cast<std::uint32_t>(result.crumbs.size());
 

@@ -3,6 +3,7 @@
 #include "engine/core/profile.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
+#include "engine/physics/modules.h"
 #include "engine/physics/point_lanes.h"
 
 namespace brittle::physics {
@@ -50,12 +51,15 @@ bool mayTouch(const State& state, const Shape& a, const Shape& b) {
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
   if (!bodyA.isDynamic() && !bodyB.isDynamic()) return false;
-  const bool jointed = state.jointedBodies[a.body.index] && state.jointedBodies[b.body.index];
-  return !jointed || !jointForbidsCollision(state, a.body, b.body);
+  if constexpr (kHasJoints)
+    if (state.joints.size() > 0 && state.jointedBodies[a.body.index] && state.jointedBodies[b.body.index])
+      return !jointForbidsCollision(state, a.body, b.body);
+  return true;
 }
 
 /// Few bodies hang on joints: only pairs of those are looked up in the list of all joints.
 void markJointedBodies(State& state) {
+  if (state.joints.size() == 0) return;
   state.jointedBodies.assign(state.bodies.capacity(), false);
   state.joints.forEach([&](JointHandle, const Joint& joint) {
     for (const ShapeHandle handle : {joint.a, joint.b})

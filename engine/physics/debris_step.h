@@ -1,12 +1,22 @@
 // physics/debris_step.h - the life of light debris: made by breaking, falling, resting on static geometry, recycled.
 #pragma once
 
+#include "engine/physics/modules.h"
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
 
 /// A crumb of `volume` [m3]; overwrites the oldest when Accuracy::maxDebris are alive.
 void addCrumb(State& state, const Vec3& position, const Vec3& velocity, float volume, std::uint32_t color);
+/// What becomes of a piece too small to be a body: a crumb, or without the module its volume is counted as recycled.
+inline void shed(State& state, const Vec3& position, const Vec3& velocity, float volume, std::uint32_t color) {
+  if constexpr (kHasDebris) {
+    addCrumb(state, position, velocity, volume, color);
+  } else {
+    ++state.debris.recycled;
+    state.debris.recycledVolume += volume;
+  }
+}
 void stepDebris(State& state, float dt);
 
 }  // namespace brittle::physics

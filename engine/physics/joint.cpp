@@ -174,7 +174,6 @@ void forget(Joint& joint) {
 }  // namespace
 
 void JointSolver::findActive(const State& state) {
-  active_.clear();
   state.joints.forEach([&](JointHandle handle, const Joint& joint) {
     ActiveJoint active;
     if (!findBodies(state, joint, active)) return;
@@ -188,9 +187,12 @@ void JointSolver::findActive(const State& state) {
 
 void JointSolver::prepare(const State& state, float dt, bool isFirstPass) {
   dt_ = dt;
+  active_.clear();
+  groups_.clear();
+  joints_.clear();
+  if (state.joints.size() == 0) return;
   const bool warm = state.accuracy.warmStart || !isFirstPass;
   findActive(state);
-  joints_.clear();
   SolverBody world;
   for (const ActiveJoint& active : active_) {
     const Joint& joint = state.joints.at(active.joint);
@@ -210,7 +212,6 @@ void JointSolver::prepare(const State& state, float dt, bool isFirstPass) {
   if (systems_.size() < groups_.size()) systems_.resize(groups_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i)
     systems_[i].factor(joints_.data() + groups_[i].first, groups_[i].count, state.solverBodies.data());
-  prepareDrives(state, dt, isFirstPass);
 }
 
 void JointSolver::warmStart(SolverBody* bodies) const {
@@ -255,7 +256,6 @@ void JointSolver::solve(SolverBody* bodies) {
   for (std::size_t i = 0; i < groups_.size(); ++i) solveGroup(i, bodies);
   for (PreparedJoint& joint : joints_)
     solveBounded(joint, bodyAt(bodies, joint.bodyA, world), bodyAt(bodies, joint.bodyB, world), dt_);
-  for (PreparedDrive& drive : drives_) solveDrive(drive, bodies[drive.body.index]);
 }
 
 void JointSolver::store(State& state) const {

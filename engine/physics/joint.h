@@ -1,4 +1,4 @@
-// physics/joint.h - ball, hinge, slider, rope and weld joints, motors and drives. A joint goes with the shape that
+// physics/joint.h - ball, hinge, slider, rope and weld joints, and motors. A joint goes with the shape that
 // holds its anchor: when that is split, with the piece that contains the anchor; when the anchor is carved out, the
 // joint is gone. Joint impulses never break glass.
 #pragma once
@@ -83,42 +83,10 @@ struct Joint {
   }
 };
 
-/// Pulls a body towards a pose, softly: an obstacle that can be knocked out of its way. Acts on every dynamic body that
-/// the shapes of an assembly now belong to, each once. The force law, per body of mass m [kg] and inertia I [kg m2]:
-/// the drive carries the weight of what it moves, and beside that pushes with at most strength * 20 m/s2 * m [N] and
-/// turns with at most strength * 40 rad/s2 * I [N m] towards the speed from which it can just stop at the target, but
-/// no faster than the limits below. From strength 100 on both are unlimited.
-struct DriveDef {
-  std::uint32_t assembly = 0;
-  bool drivePosition = false;
-  Vec3 position = Vec3::Zero();  // world target of the assembly's original body frame [m]
-  bool driveRotation = false;
-  Quat rotation = Quat::Identity();
-  float strength = 10.0f;         // 1: soft, 10: firm, 100: rigid [-], above 0
-  float maxSpeed = 10.0f;         // [m/s]
-  float maxAngularSpeed = 10.0f;  // [rad/s]
-};
-
-struct Drive {
-  DriveDef def;
-
-  template <class Archive>
-  void serialize(Archive& ar) {
-    ar(def.assembly);
-    ar(def.drivePosition);
-    ar(def.position);
-    ar(def.driveRotation);
-    ar(def.rotation);
-    ar(def.strength);
-    ar(def.maxSpeed);
-    ar(def.maxAngularSpeed);
-  }
-};
-
 struct State;
 struct SolverBody;
 
-/// The joints and drives of one tick. World calls, in this order: prepare (once per solve), warmStart, then solve in
+/// The joints of one tick. World calls, in this order: prepare (once per solve), warmStart, then solve in
 /// every iteration, store at the end. Works on solver bodies (see solver_body.h) indexed by body slot.
 class JointSolver {
  public:
@@ -130,11 +98,10 @@ class JointSolver {
   /// Pushes anchors together by moving positions only (no velocity is touched). One pass.
   void correctPositions(State& state);
   void store(State& state) const;
-  bool isEmpty() const { return joints_.empty() && drives_.empty(); }
+  bool isEmpty() const { return joints_.empty(); }
 
  private:
   void findActive(const State& state);
-  void prepareDrives(const State& state, float dt, bool isFirstPass);
   void solveGroup(std::size_t index, SolverBody* bodies);
   void correctGroup(State& state, const JointGroup& group);
 
@@ -147,9 +114,6 @@ class JointSolver {
   std::vector<PreparedJoint> moved_;  // one group, at the poses of a position pass
   std::vector<SolverBody> moves_;     // by body slot; velocities are displacements
   JointSystem moving_;
-  std::vector<PreparedDrive> drives_;      // by body slot, then drive slot
-  std::vector<PreparedDrive> spent_;       // of the pass before
-  std::vector<AssemblyDrive> assemblies_;  // sorted
   float dt_ = 0.0f;
 };
 
@@ -162,11 +126,11 @@ std::uint32_t moveJoints(State& state, ShapeHandle source, const ShapeHandle* pi
 /// True if a joint with collideConnected off holds the two bodies together. Linear in the number of joints.
 bool jointForbidsCollision(const State& state, BodyHandle a, BodyHandle b);
 
-/// Wakes sleeping bodies that a joint holds to a moving one, that a motor turns or that a drive has not at its target
-/// yet. Before the velocities of a tick are integrated.
+/// Wakes sleeping bodies that a joint holds to a moving one or that a motor turns. Before the velocities of a tick are
+/// integrated.
 void wakeByJoints(State& state);
 
-/// Joints to the world and targets of drives after the origin moved by `offset` [m].
+/// Joints to the world after the origin moved by `offset` [m].
 void shiftJoints(State& state, const Vec3& offset);
 
 }  // namespace brittle::physics

@@ -89,6 +89,7 @@ void JointSolver::correctGroup(State& state, const JointGroup& group) {
 }
 
 void JointSolver::correctPositions(State& state) {
+  if (groups_.empty()) return;
   if (moves_.size() < state.bodies.capacity()) moves_.resize(state.bodies.capacity());
   for (const JointGroup& group : groups_) correctGroup(state, group);
 }

@@ -102,29 +102,4 @@ struct PreparedJoint {
   float mostAxisTurning = 0.0f;  // [rad/s]
 };
 
-/// A drive on one body, in velocities: the mass cancels.
-struct PreparedDrive {
-  BodyHandle body;
-  std::uint32_t drive = 0;  // slot
-  bool linear = false, angular = false;
-  Vec3 target = Vec3::Zero();         // [m/s]
-  Vec3 angularTarget = Vec3::Zero();  // [rad/s]
-  Vec3 weight = Vec3::Zero();         // what gravity took this tick, to be given back [m/s]
-  float limit = 0.0f;                 // of the change beside that [m/s]; negative: none
-  float angularLimit = 0.0f;          // [rad/s]
-  Vec3 change = Vec3::Zero();         // accumulated
-  Vec3 angularChange = Vec3::Zero();
-};
-
-struct AssemblyDrive {
-  std::uint32_t assembly = 0;
-  std::uint32_t drive = 0;  // slot
-  friend bool operator<(const AssemblyDrive& a, const AssemblyDrive& b) {
-    return a.assembly != b.assembly ? a.assembly < b.assembly : a.drive < b.drive;
-  }
-};
-
-/// One pass over a drive's row.
-void solveDrive(PreparedDrive& drive, SolverBody& body);
-
 }  // namespace brittle::physics

@@ -1,4 +1,4 @@
-// World's part about joints and drives: definitions checked, anchors brought into the frames of their bodies.
+// World's part about joints: definitions checked, anchors brought into the frames of their bodies.
 #include <cmath>
 
 #include "engine/core/assert.h"
@@ -30,15 +30,6 @@ const char* findError(const State& state, const JointDef& def) {
   if ((def.limited || def.motor) && !hasCoordinate) return "only hinges and sliders have limits and motors";
   if (!isFinite(def.motorSpeed) || !isFinite(def.motorLimit) || def.motorLimit < 0.0f)
     return "JointDef motor speed is finite, its limit finite and not negative";
-  return nullptr;
-}
-
-const char* findError(const DriveDef& def) {
-  if (!isFinite(def.position)) return "DriveDef::position is finite";
-  if (!isFinite(def.rotation) || !isUnit(def.rotation.squaredNorm())) return "DriveDef::rotation is a unit quaternion";
-  if (!isFinite(def.strength) || def.strength <= 0.0f) return "DriveDef::strength is above 0";
-  if (!isFinite(def.maxSpeed) || def.maxSpeed < 0.0f) return "DriveDef::maxSpeed is not negative";
-  if (!isFinite(def.maxAngularSpeed) || def.maxAngularSpeed < 0.0f) return "DriveDef::maxAngularSpeed is not negative";
   return nullptr;
 }
 
@@ -117,26 +108,6 @@ void World::setMotor(JointHandle handle, bool on, float speed, float limit) {
   joint->motorSpeed = speed;
   joint->motorLimit = limit;
   wakeBoth(*this, *joint);
-}
-
-DriveHandle World::createDrive(const DriveDef& def) {
-  if (!isRight(findError(def))) return {};
-  Drive drive;
-  drive.def = def;
-  drive.def.rotation.normalize();
-  return state_->drives.insert(drive);
-}
-
-void World::setDrive(DriveHandle handle, const DriveDef& def) {
-  BR_ASSERT(state_->drives.contains(handle));
-  if (!state_->drives.contains(handle) || !isRight(findError(def))) return;
-  state_->drives[handle].def = def;
-  state_->drives[handle].def.rotation.normalize();
-}
-
-void World::destroyDrive(DriveHandle drive) {
-  BR_ASSERT(state_->drives.contains(drive));
-  if (state_->drives.contains(drive)) state_->drives.erase(drive);
 }
 
 bool World::isAlive(JointHandle joint) const {

@@ -80,7 +80,7 @@ void recycleBodies(State& state) {
     const Body body = state.bodies[pieces[i]];
     const Shape& shape = state.shapes[body.firstShape];
     const std::uint32_t color = shape.isSphere() ? 0xffffffffu : state.meshes.view(shape.mesh).vertices[0].color;
-    addCrumb(state, body.center, body.velocity, body.mass / maxOf(shape.surface.density, 1e-6f), color);
+    shed(state, body.center, body.velocity, body.mass / maxOf(shape.surface.density, 1e-6f), color);
     dropBody(state, pieces[i]);
   }
 }

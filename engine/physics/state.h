@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/core/slot_pool.h"
@@ -13,6 +14,7 @@
 #include "engine/physics/budgets.h"
 #include "engine/physics/contact.h"
 #include "engine/physics/debris.h"
+#include "engine/physics/drive.h"
 #include "engine/physics/events.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/reach.h"
@@ -61,10 +63,11 @@ struct State {
   std::vector<std::uint32_t> overlapping;   // contact slots
   std::vector<std::uint32_t> firstMeeting;  // by body slot, or kNoMeeting
   JointSolver jointSolver;
+  DriveSolver driveSolver;
   ContactSolver contactSolver;
   Stacks stacks;
   Strikes strikes;
-  fracture::Fracturer fracturer;
+  std::shared_ptr<fracture::Fracturer> fracturer;  // made by the first breaking
   std::vector<Held> breakingNow;
   std::vector<fracture::Impact> impacts;
   std::vector<Breaking> breakings;

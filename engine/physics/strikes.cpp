@@ -153,17 +153,6 @@ void removeContactImpulses(State& state, const Strike& strike) {
 }  // namespace
 
 // The list is sorted, so partners stand beside each other.
-float spentByPartners(const Strikes& strikes, std::size_t s) {
-  const std::vector<Strike>& list = strikes.list;
-  const auto isPartner = [&](std::size_t i) {
-    return list[i].striker == list[s].striker && list[i].struck == list[s].struck;
-  };
-  float spent = 0.0f;
-  for (std::size_t i = s; i > 0 && isPartner(i - 1); --i) spent += list[i - 1].impulse;
-  for (std::size_t i = s + 1; i < list.size() && isPartner(i); ++i) spent += list[i].impulse;
-  return spent;
-}
-
 BodyHandle sweptBody(const State& state, const Strike& strike) {
   return state.bodies[strike.body].type == BodyType::Static ? strike.struck : strike.body;
 }

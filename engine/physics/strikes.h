@@ -98,7 +98,16 @@ struct Held {
 BodyHandle sweptBody(const State& state, const Strike& strike);
 
 /// What the other bodies of the same budget (a striker and its fresh pieces) spend on the same struck body. [N s]
-float spentByPartners(const Strikes& strikes, std::size_t strike);
+inline float spentByPartners(const Strikes& strikes, std::size_t s) {
+  const std::vector<Strike>& list = strikes.list;
+  const auto isPartner = [&](std::size_t i) {
+    return list[i].striker == list[s].striker && list[i].struck == list[s].struck;
+  };
+  float spent = 0.0f;
+  for (std::size_t i = s; i > 0 && isPartner(i - 1); --i) spent += list[i - 1].impulse;
+  for (std::size_t i = s + 1; i < list.size() && isPartner(i); ++i) spent += list[i].impulse;
+  return spent;
+}
 
 /// Charges what the contacts that are left at the end of a tick carried.
 void chargeStrikes(State& state, float dt);

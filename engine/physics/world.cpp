@@ -1,13 +1,14 @@
 #include "engine/physics/world.h"
 
 #include "engine/core/profile.h"
-#include "engine/physics/arrivals.h"
 #include "engine/physics/breakage.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
 #include "engine/physics/debris_step.h"
+#include "engine/physics/fracture_stage.h"
 #include "engine/physics/integrate.h"
+#include "engine/physics/modules.h"
 #include "engine/physics/quarantine.h"
 #include "engine/physics/reach.h"
 #include "engine/physics/recycle.h"
@@ -19,76 +20,59 @@ namespace {
 // Contact steps from a change to the last contact solved again. Measured: beyond, no test of momentum, energy or exit
 // speed sees it.
 constexpr int kContactSteps = 4;
-constexpr int kUnboundedRounds = 1000;  // fractureRounds 0: a guard, far beyond what a tick's way can hold
-
-int maxRounds(const Accuracy& accuracy) {
-  if (accuracy.fractureMode != FractureMode::InStep) return 0;
-  return accuracy.fractureRounds == 0 ? kUnboundedRounds : accuracy.fractureRounds;
-}
-
-/// Whether what is saturated breaks in this tick still.
-bool mayBreakOn(const State& state, int round, float dt) {
-  if (round < maxRounds(state.accuracy)) return true;
-  if (state.accuracy.fractureMode != FractureMode::InStep || round >= state.accuracy.fastRounds) return false;
-  return isStruckFast(state, dt);
-}
 
 void solve(State& state, float dt, bool isFirstPass) {
   BR_ZONE("solve");
   ContactSolver& solver = state.contactSolver;
-  state.jointSolver.prepare(state, dt, isFirstPass);
+  if constexpr (kHasJoints) state.jointSolver.prepare(state, dt, isFirstPass);
+  if constexpr (kHasDrives) state.driveSolver.prepare(state, dt, isFirstPass);
   solver.prepare(state, dt, isFirstPass);
   // Later passes start from the first one's answer and only take in what a breaking changed.
   const int iterations = state.accuracy.iterations;
-  if (isFirstPass && state.stacks.rounds() > 0)
-    solver.solveTall(state, maxOf(state.stacks.rounds(), iterations / 2));
-  else
-    solver.solve(state, isFirstPass ? iterations : (iterations + 1) / 2);
+  const int tallRounds = kHasStacks && isFirstPass ? state.stacks.rounds() : 0;
+  if constexpr (kHasStacks)
+    if (tallRounds > 0) solver.solveTall(state, maxOf(tallRounds, iterations / 2));
+  if (tallRounds == 0) solver.solve(state, isFirstPass ? iterations : (iterations + 1) / 2);
   solver.store(state);
   solver.storeBodies(state);
 }
 
 /// Steps 3 to 5: solve under the strikes' limits, break what they saturate, solve again with what is left.
 void solveAndBreak(State& state, float dt) {
-  for (int round = 0, pass = 0;; ++pass) {
+  bool goesOn = true;
+  for (int round = 0, pass = 0; goesOn; ++pass) {
     state.contactSolver.loadBodies(state);
     if (pass == 0)
       reachAll(state, state.reach);
     else
       reachFrom(state, state.touchedBodies, kContactSteps, state.reach);
-    limitImpulses(state, dt);
+    if constexpr (kHasFracture) limitImpulses(state, dt);
     solve(state, dt, pass == 0);
     ++state.counters.passes;
-    if (findSaturated(state) && mayBreakOn(state, round, dt)) {
-      fractureSaturated(state);
-      detectCollisionsOf(state, state.touchedBodies, dt);
-      state.counters.rounds = static_cast<std::uint32_t>(++round);
-    } else if (!advanceStrikers(state, dt)) {
-      break;
-    }
+    goesOn = false;
+    if constexpr (kHasFracture) goesOn = breakOrAdvance(state, round, dt);
   }
 }
 
 /// One sub-step. The numbers are those of the algorithm in the README.
 void step(State& state, float dt) {
   quarantine(state);
-  wakeByJoints(state);
+  if constexpr (kHasJoints) wakeByJoints(state);
+  if constexpr (kHasDrives) wakeByDrives(state);
   integrateVelocities(state, dt);  // 1
-  fadeBudgets(state, dt);
-  breakHeld(state);
+  if constexpr (kHasFracture) beginBreaking(state, dt);
   detectCollisions(state, dt);  // 2
-  state.stacks.measure(state, dt);
+  if constexpr (kHasStacks) state.stacks.measure(state, dt);
   solveAndBreak(state, dt);  // 3 to 5
-  holdSaturated(state, dt);
-  chargeStrikes(state, dt);
-  state.stacks.hold(state, dt);
+  if constexpr (kHasFracture) endBreaking(state, dt);
+  if constexpr (kHasStacks) state.stacks.hold(state, dt);
   integratePositions(state, dt);  // 6
   state.contactSolver.applyRestitution(state);
   correctPositions(state);
-  fractureAfterStep(state);
+  if constexpr (kHasFracture) fractureAfterStep(state);
   finishContacts(state);
   state.contactSolver.forgetImpacts(state, dt);
-  stepDebris(state, dt);
+  if constexpr (kHasDebris) stepDebris(state, dt);
   recycleBodies(state);
   if (state.accuracy.deactivation) deactivate(state, dt);
 }

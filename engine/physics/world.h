@@ -11,6 +11,7 @@
 #include "engine/physics/accuracy.h"
 #include "engine/physics/body.h"
 #include "engine/physics/debris.h"
+#include "engine/physics/drive.h"
 #include "engine/physics/events.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/shape.h"

@@ -6,6 +6,7 @@
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
 #include "engine/physics/edit.h"
+#include "engine/physics/modules.h"
 #include "engine/physics/world.h"
 
 namespace brittle::physics {
@@ -51,7 +52,7 @@ BodyHandle World::createBody(const BodyDef& def) {
   body.velocity = def.type == BodyType::Static ? Vec3(Vec3::Zero()) : def.velocity;
   body.angularVelocity = def.type == BodyType::Static ? Vec3(Vec3::Zero()) : def.angularVelocity;
   body.gravityScale = def.gravityScale;
-  body.breakable = def.breakable.strength > 0.0f;
+  body.breakable = kHasFracture && def.breakable.strength > 0.0f;
   body.breaking = def.breakable;
   body.assembly = def.assembly != 0 ? def.assembly : state_->nextAssembly++;
   body.userData = def.userData;
@@ -85,16 +86,21 @@ ShapeHandle World::addSphere(BodyHandle body, const ShapeDef& def, float radius,
   return handle;
 }
 
+/// Before a shape goes: its joints go with it.
+static void leaveJoints(State& state, ShapeHandle shape) {
+  if constexpr (kHasJoints) moveJoints(state, shape, nullptr, 0, 0.0f);
+}
+
 void World::removeShape(ShapeHandle shape) {
   const BodyHandle body = state_->shapes[shape].body;
-  moveJoints(*state_, shape, nullptr, 0, 0.0f);
+  leaveJoints(*state_, shape);
   dropShape(*state_, shape);
   updateMass(*state_, body);
 }
 
 void World::destroyBody(BodyHandle body) {
   forEachShape(*state_, state_->bodies[body],
-               [&](ShapeHandle shape, const Shape&) { moveJoints(*state_, shape, nullptr, 0, 0.0f); });
+               [&](ShapeHandle shape, const Shape&) { leaveJoints(*state_, shape); });
   dropBody(*state_, body);
 }
 
@@ -149,7 +155,7 @@ void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
     forEachShape(state, body, [&](ShapeHandle shape, const Shape&) { wakeTouching(state, shape); });
   }
   body.breaking = breakable;
-  body.breakable = breakable.strength > 0.0f;
+  body.breakable = kHasFracture && breakable.strength > 0.0f;
 }
 
 void World::setAccuracy(const Accuracy& accuracy) {
@@ -173,7 +179,7 @@ void World::breakBody(BodyHandle handle, const Vec3& point, const Vec3& directio
   const Body& body = state_->bodies[handle];
   const fracture::Impact impact{body.pose.toLocal(point), body.pose.unrotate(normalizedOr(direction, -Vec3::UnitZ())),
                                 speed, radius};
-  physics::breakBody(*state_, handle, &impact, 1, {});
+  if constexpr (kHasFracture) physics::breakBody(*state_, handle, &impact, 1, {});
 }
 
 }  // namespace brittle::physics

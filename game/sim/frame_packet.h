@@ -6,11 +6,13 @@
 // and then. `originZ` tells by how much, for who must keep something in place over several ticks.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/effects/effect.h"
 #include "engine/math/transform.h"
 #include "engine/math/types.h"
 #include "game/sim/event.h"
@@ -102,6 +104,7 @@ struct RoomView {
   float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
+  effects::EffectMask effects;  // that run in it
   std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
   std::vector<BodyPose> bodies;    // by body slot
@@ -149,6 +152,11 @@ struct FramePacket {
   std::vector<Event> events;
   std::vector<std::string> soundNames;  // that scripts play
   Hud hud;
+
+  /// Whether an effect runs in any of its rooms.
+  bool runs(effects::Effect effect) const {
+    return std::any_of(rooms.begin(), rooms.end(), [=](const RoomView& room) { return room.effects.has(effect); });
+  }
 };
 
 }  // namespace brittle::sim

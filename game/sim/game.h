@@ -30,6 +30,7 @@ struct GameDef {
   std::string level = "first";  // levels/NAME.xml
   std::uint64_t seed = 1;       // of every random choice
   physics::Accuracy accuracy;
+  effects::EffectMask without;  // effects switched off; the seen and heard ones change nothing of the state
   Mode mode = Mode::Classic;
   std::uint32_t firstRoom = 0;  // start at this room of the level
   std::int32_t balls = 25;      // to start with: of a checkpoint those stored for it

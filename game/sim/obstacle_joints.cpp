@@ -28,8 +28,9 @@ void create(script::Call& call, Obstacle& obstacle, physics::JointDef def, physi
   def.a = world.body(a).firstShape;  // the world picks the shape of the body that holds the anchor
   if (b) def.b = world.body(b).firstShape;
   if (!def.a) return call.fail("a joint needs a body with a shape");
-  obstacle.joints.push_back(world.createJoint(def));
   obstacle.room->demand(effects::Effect::Joints, call.where());
+  const bool runs = obstacle.room->runs(effects::Effect::Joints);
+  obstacle.joints.push_back(runs ? world.createJoint(def) : physics::JointHandle{});
   call.result(static_cast<int>(obstacle.joints.size()));
 }
 

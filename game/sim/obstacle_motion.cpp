@@ -52,8 +52,8 @@ void pull(Obstacle& obstacle, ScriptBody& body, const std::string& who) {
     world.setDrive(drive.handle, def);
     return;
   }
-  drive.handle = world.createDrive(def);
   obstacle.room->demand(effects::Effect::Drives, who);
+  if (obstacle.room->runs(effects::Effect::Drives)) drive.handle = world.createDrive(def);
 }
 
 void apply(script::Call& call, Obstacle& obstacle, ScriptBody& body) {

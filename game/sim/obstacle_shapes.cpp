@@ -70,7 +70,9 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   for (geometry::Vertex& vertex : convex.vertices) vertex.color = color;
 
   physics::World& world = obstacle.room->world();
-  const physics::Breakable breakable = breakableOf(pen.material, extentOf(convex));
+  physics::Breakable breakable = breakableOf(pen.material, extentOf(convex));
+  if (breakable.strength > 0.0f && body->strength <= 0.0f) demandBreaking(*obstacle.room, call.where());
+  if (!obstacle.room->runs(effects::Effect::Fracture)) breakable.strength = 0.0f;
   if (!body->handle) {
     makeBody(obstacle, *body, breakable);
     body->look = lookOf(pen.material);
@@ -85,7 +87,6 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   shape.handle = world.addConvex(body->handle, def, convex);
   shape.body = static_cast<std::uint32_t>(body - obstacle.bodies.data()) + 1;
   body->volume += world.shape(shape.handle).massProperties.volume;
-  if (breakable.strength > 0.0f && body->strength <= 0.0f) demandBreaking(*obstacle.room, call.where());
   strengthen(world, *body, breakable);
   obstacle.shapes.push_back(shape);
   call.result(static_cast<int>(obstacle.shapes.size()));

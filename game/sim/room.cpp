@@ -14,6 +14,7 @@ physics::WorldDef worldDef(const Session& session, std::uint64_t seed, float gra
   physics::WorldDef def;
   def.gravity = Vec3(0.0f, -rules::kGravity * gravity, 0.0f);
   def.accuracy = session.def.accuracy;
+  if (session.def.without.has(effects::Effect::Debris)) def.accuracy.maxDebris = 0;
   def.seed = seed;
   return def;
 }

@@ -55,6 +55,12 @@ class Room {
   void clearObstacle(Obstacle& obstacle);
   void emit(Event event);
   void demand(effects::Effect effect, std::string who) { plan_.effects.demand(effect, std::move(who)); }
+  /// For what asks again and again: noted only while nobody else has asked.
+  void demandOnce(effects::Effect effect, const char* who) {
+    if (!plan_.effects.has(effect)) plan_.effects.demand(effect, who);
+  }
+  /// Demanded, compiled in and not switched off.
+  bool runs(effects::Effect effect) const { return plan_.effects.runs(effect); }
   void shakeCamera(float strength) { shake_ = maxOf(shake_, strength); }
 
   // Looking.

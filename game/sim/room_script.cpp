@@ -333,6 +333,7 @@ const script::Library& roomLibrary() {
 RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
                   std::map<std::string, std::string>& globals) {
   Builder builder{session, entry, globals, {}, 0.0f, {}, -1, Vec3::Ones(), 0};
+  builder.plan.effects.switchOff(session.def.without);
   script::Sandbox sandbox(roomLibrary(), seed, {}, &builder);
   const std::string path = "rooms/" + entry.type + ".lua";
   const Result<std::string> include = session.files.text("rooms/include.lua");

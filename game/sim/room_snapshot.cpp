@@ -15,6 +15,9 @@ void Room::serialize(Archive& a) {
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) a(*obstacle);
   a.vector(balls_);
   a(nextBall_);
+  std::uint32_t demanded = plan_.effects.demanded().bits();
+  a(demanded);
+  plan_.effects.keep(effects::EffectMask::ofBits(demanded));
 }
 
 std::uint64_t Room::stateHash() const {
@@ -74,6 +77,7 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   view.lowPass = settings.lowPass;
   view.music = settings.music;
   view.particles = settings.particles;
+  view.effects = plan_.effects.running();
   view.bodyOffset = frameOffset_;
   copySegments(view);
   for (BodyPose& pose : view.bodies) pose.generation = 0;

@@ -67,6 +67,7 @@ struct SmokeResult {
 
 struct SmokeSettings {
   physics::Accuracy accuracy;
+  effects::EffectMask without;
   std::optional<std::uint64_t> seed;          // instead of the script's; math.random follows it too
   std::map<std::string, std::string> values;  // of setting()
   std::function<bool()> isCalledOff;  // asked before each tick: then the script ends with a failure; null: never

@@ -18,6 +18,7 @@ class Smoke {
   Smoke(const content::AssetSource& assets, const SmokeSettings& smokeSettings)
       : settings(smokeSettings), assets_(assets) {
     result.def.accuracy = settings.accuracy;
+    result.def.without = settings.without;
     if (settings.seed) result.def.seed = *settings.seed;
   }
 

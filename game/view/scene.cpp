@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/effects/built.h"
 #include "game/view/air.h"
 #include "game/view/decals.h"
 #include "game/view/hud.h"
@@ -23,6 +24,11 @@ constexpr float kLaserRadius = 0.05f;    // [m]
 constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
 constexpr float kBloom = 0.55f;
 constexpr float kCrashShake = 0.7f;  // of the most, at the moment of a crash
+
+/// Whether an effect's module is there to be called; whether its stage runs is the packet's to say.
+template <effects::Effect effect>
+constexpr bool kHas = effects::isBuilt(effect);
+using effects::Effect;
 
 float smooth(float t) {
   return t * t * (3.0f - 2.0f * t);
@@ -86,8 +92,7 @@ void Scene::placeCamera(double tick) {
 void Scene::addRooms(const MeshPools& pools) {
   const float farthest = minOf(frame_.fog.end, frame_.camera.farPlane) + kMostShake;
   statics_.show(seen_.rooms, frame_.camera.position.z(), farthest, frame_.statics);
-  for (const sim::RoomView& room : seen_.rooms)
-    for (const sim::PlacedSegment& segment : room.segments) addHalos(*segment.look, segment.origin, frame_.glows);
+  addLamps();
   for (std::size_t i = 0; i < seen_.rooms.size() && i < render::kMaxGroups; ++i) {
     const sim::RoomView& room = seen_.rooms[i];
     render::MeshGroup& group = frame_.groups[i];
@@ -102,7 +107,20 @@ void Scene::addRooms(const MeshPools& pools) {
       if (info.bodySlot >= room.bodies.size() || room.bodies[info.bodySlot].generation == 0) continue;
       group.meshes.push_back({slot, info.bodySlot, info.material, render::kWhite});
     }
-    addShadows(group, materials_, frame_.sphereShadow, frame_.shadows);
+    if constexpr (kHas<Effect::Shadows>)
+      if (room.effects.has(Effect::Shadows)) addShadows(group, materials_, frame_.sphereShadow, frame_.shadows);
+  }
+}
+
+/// Lamps shine beyond their outline, in the air about them and in the whole picture.
+void Scene::addLamps() {
+  if constexpr (kHas<Effect::Bloom>) {
+    if (!hasLamps(seen_)) return;
+    for (const sim::RoomView& room : seen_.rooms) {
+      if (!room.effects.has(Effect::Bloom)) continue;
+      frame_.bloom = kBloom;
+      for (const sim::PlacedSegment& segment : room.segments) addHalos(*segment.look, segment.origin, frame_.glows);
+    }
   }
 }
 
@@ -128,13 +146,14 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
   frame_.surroundings = surroundingsOf(seen_);
-  frame_.sphereShadow = shadowStrengthOf(seen_);
-  frame_.mirrorHeight = mirrorHeightOf(seen_);
-  frame_.bloom = hasLamps(seen_) ? kBloom : 0.0f;
+  frame_.sphereShadow = seen_.runs(Effect::Shadows) ? shadowStrengthOf(seen_) : 0.0f;
+  if (seen_.runs(Effect::Mirror)) frame_.mirrorHeight = mirrorHeightOf(seen_);
   addRooms(pools);
   addThings();
-  addDecals(seen_, memory_, tick, frame_);
-  addAir(seen_, tick, frame_);
+  if constexpr (kHas<Effect::Decals>)
+    if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
+  if constexpr (kHas<Effect::Air>)
+    if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
   addParticles(seen_, memory_, tick, frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) addTimings(*timings, frame_);

@@ -33,6 +33,7 @@ class Scene {
 
  private:
   void addRooms(const MeshPools& pools);
+  void addLamps();
   void addThings();
   void placeCamera(double tick);
 

@@ -52,7 +52,7 @@ void Sound::tick(const sim::FramePacket& packet) {
 }
 
 void Sound::playMusic(const sim::FramePacket& packet) {
-  if (packet.rooms.empty() || !hasMusic(packet.rooms.front().music)) return;
+  if (packet.rooms.empty() || !packet.rooms.front().effects.has(effects::Effect::Music)) return;
   const std::int32_t tick = musicTickOf(packet);
   if (tick == musicTick_) return;  // the game stands still
   musicTick_ = tick;
@@ -90,9 +90,9 @@ void Sound::reset() {
 
 audio::Acoustics acousticsOf(const sim::RoomView& room) {
   audio::Acoustics asked;
-  asked.reverb = {room.reverb[0], room.reverb[1], room.reverb[2]};
-  asked.echo = {room.echo[0], room.echo[1], room.echo[2], room.echo[3]};
-  asked.lowPass = room.lowPass;
+  if (room.effects.has(effects::Effect::Reverb)) asked.reverb = {room.reverb[0], room.reverb[1], room.reverb[2]};
+  if (room.effects.has(effects::Effect::Echo)) asked.echo = {room.echo[0], room.echo[1], room.echo[2], room.echo[3]};
+  if (room.effects.has(effects::Effect::LowPass)) asked.lowPass = room.lowPass;
   return audio::withinLimits(asked);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/effects/effect.h"
 #include "engine/replay/replay.h"
 #include "tools/brittle/options.h"
 
@@ -44,6 +45,14 @@ void addAccuracy(CLI::App& command, std::string& accuracy, const std::string& ot
       ->type_name("PRESET");
 }
 
+void addWithout(CLI::App& command, std::string& without) {
+  std::string names;
+  for (std::size_t i = 0; i < effects::kEffects; ++i)
+    names += (i == 0 ? "" : ", ") + std::string(effects::nameOf(static_cast<effects::Effect>(i)));
+  command.add_option("--without", without, "effects to switch off, separated by commas: of " + names)
+      ->type_name("EFFECTS");
+}
+
 void addGame(CLI::App& command, GameOptions& game) {
   command.add_option("LEVEL", game.level, "name of the level: levels/LEVEL.xml in the assets")->capture_default_str();
   command.add_option("--seed", game.seed, "the same seed gives the same game")
@@ -55,6 +64,7 @@ void addGame(CLI::App& command, GameOptions& game) {
       ->capture_default_str()
       ->type_name("N");
   addAccuracy(command, game.accuracy, "balanced; a replay records it");
+  addWithout(command, game.without);
   addAssets(command, game.assets);
 }
 
@@ -99,6 +109,7 @@ void addRender(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->check(CLI::IsMember({0, 4}));
   addAccuracy(*command, options->accuracy, "what was recorded; another one plays the same throws");
+  addWithout(*command, options->without);
   addAssets(*command, options->assets);
   command->footer(
       "Examples:\n  brittle render game.brt --out frames --size 1280x720 --frames 600..900\n"
@@ -133,6 +144,7 @@ void addSmoke(CLI::App& app, Action& action) {
   command->add_option("--set", options->settings, "what setting(\"NAME\", ...) answers in the script")
       ->type_name("NAME=TEXT");
   addAccuracy(*command, options->accuracy, "balanced; a replay records it");
+  addWithout(*command, options->without);
   addAssets(*command, options->assets);
   command->footer(
       "A script throws at ticks and says what must come of it:\n"

@@ -26,6 +26,9 @@ void serializeSettings(Archive& archive, sim::GameDef& def) {
   archive(def.streak);
   archive(def.distance);
   archive(def.title);
+  std::uint32_t without = def.without.bits();
+  archive(without);
+  def.without = effects::EffectMask::ofBits(without);
 }
 
 bool isWithin(float value, float low, float high) {
@@ -76,6 +79,9 @@ Result<sim::GameDef> defOf(const GameOptions& options) {
   const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
   if (!accuracy) return accuracy.error();
   def.accuracy = *accuracy;
+  const Result<effects::EffectMask> without = effectsOf(options.without);
+  if (!without) return without.error();
+  def.without = *without;
   for (const auto& [name, mode] : kModes)
     if (options.mode == name) {
       def.mode = mode;
@@ -92,6 +98,19 @@ Result<physics::Accuracy> accuracyOf(const std::string& preset) {
   return Error{"--accuracy " + preset + ": expected " + names};
 }
 
+Result<effects::EffectMask> effectsOf(const std::string& names) {
+  effects::EffectMask mask;
+  for (std::size_t begin = 0; begin < names.size();) {
+    const std::size_t end = minOf(names.find(',', begin), names.size());
+    const std::string name = names.substr(begin, end - begin);
+    const auto effect = effects::effectNamed(name);
+    if (!effect) return Error{"--without " + names + ": no effect '" + name + "' (brittle play --help lists them)"};
+    mask = mask.with(*effect);
+    begin = end + 1;
+  }
+  return mask;
+}
+
 Result<std::unique_ptr<GameSimulation>> openGame(const content::AssetSource& assets, const sim::GameDef& def) {
   Result<std::unique_ptr<sim::Game>> game = sim::Game::create(assets, def);
   if (!game) return game.error();
@@ -106,7 +125,9 @@ replay::Start startOf(const sim::Game& game) {
   start.seed = def.seed;
   start.mode = static_cast<std::uint32_t>(def.mode);
   start.level = def.level;
-  start.settings = settingsOf(def);
+  sim::GameDef kept = def;  // what is only seen or heard is up to who plays it again
+  kept.without = kept.without.both(effects::maskOf(effects::Kind::Physical));
+  start.settings = settingsOf(kept);
   return start;
 }
 
@@ -131,12 +152,14 @@ Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& a
   return simulation;
 }
 
-Status playAt(const physics::Accuracy& accuracy, const std::string& name, replay::Replay& replay) {
+Status playOtherwise(const Otherwise& otherwise, const std::string& name, replay::Replay& replay) {
   Result<sim::GameDef> def = defOf(replay.start, name);
   if (!def) return def.error();
-  def->accuracy = accuracy;
+  if (otherwise.accuracy) def->accuracy = *otherwise.accuracy;
+  def->without = def->without.with(otherwise.without);
   replay.start.settings = settingsOf(*def);
-  replay.snapshots.clear();
+  const effects::EffectMask physical = otherwise.without.both(effects::maskOf(effects::Kind::Physical));
+  if (otherwise.accuracy || !physical.isEmpty()) replay.snapshots.clear();
   return Done{};
 }
 

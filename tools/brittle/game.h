@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "engine/core/result.h"
 #include "engine/replay/player.h"
@@ -41,8 +42,18 @@ Result<replay::Replay> loadReplay(const std::string& path);
 Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& assets, const replay::Replay& replay,
                                                    const std::string& name);
 
-/// Makes of a recorded game the same throws at another accuracy: without the snapshots, which are of the recorded one.
-Status playAt(const physics::Accuracy& accuracy, const std::string& name, replay::Replay& replay);
+/// The effects that --without names.
+Result<effects::EffectMask> effectsOf(const std::string& names);
+
+/// How a recorded game is played again, if not as it was recorded.
+struct Otherwise {
+  std::optional<physics::Accuracy> accuracy;
+  effects::EffectMask without;  // beside what was switched off in it
+};
+
+/// Makes of a recorded game the same throws at another accuracy or with fewer effects: where that changes the state,
+/// without the snapshots, which are of the recorded one.
+Status playOtherwise(const Otherwise& otherwise, const std::string& name, replay::Replay& replay);
 
 /// The folder of levels: `folder`, or the one that came with the program if it is empty. Refuses one that is not there.
 Result<std::unique_ptr<content::AssetSource>> openAssets(const std::string& folder);

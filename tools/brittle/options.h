@@ -42,7 +42,8 @@ struct GameOptions {
   std::string mode = "classic";
   std::uint32_t room = 0;
   std::string accuracy = "balanced";
-  std::string assets;  // empty: the folder that came with the program
+  std::string without;  // effects switched off, separated by commas
+  std::string assets;   // empty: the folder that came with the program
 };
 
 struct PlayOptions {
@@ -60,6 +61,7 @@ struct RenderOptions {
   std::uint32_t every = 1;
   std::string backend = "egl";
   std::string accuracy;  // empty: what was recorded
+  std::string without;
   int samples = 4;
 };
 
@@ -75,6 +77,7 @@ struct SmokeOptions {
   std::uint32_t seeds = 0;            // play each script with seeds 1 to this; 0: with its own
   std::vector<std::string> settings;  // NAME=TEXT
   std::string accuracy = "balanced";
+  std::string without;
   std::string assets;
 };
 

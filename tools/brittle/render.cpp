@@ -175,6 +175,18 @@ Status renderSound(const Job& job) {
   return Done{};
 }
 
+Result<Otherwise> otherwiseOf(const RenderOptions& options) {
+  Otherwise otherwise;
+  const Result<effects::EffectMask> without = effectsOf(options.without);
+  if (!without) return without.error();
+  otherwise.without = *without;
+  if (options.accuracy.empty()) return otherwise;
+  const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
+  if (!accuracy) return accuracy.error();
+  otherwise.accuracy = *accuracy;
+  return otherwise;
+}
+
 }  // namespace
 
 int render(const RenderOptions& options) {
@@ -183,11 +195,9 @@ int render(const RenderOptions& options) {
         {"--out DIR for pictures, --out FILE.mp4 for a video or --sound FILE is needed (brittle render --help)"});
   Result<replay::Replay> replay = loadReplay(options.replay);
   if (!replay) return refuse(replay.error());
-  if (!options.accuracy.empty()) {
-    const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
-    if (!accuracy) return refuse(accuracy.error());
-    if (const Status other = playAt(*accuracy, options.replay, *replay); !other) return refuse(other.error());
-  }
+  const Result<Otherwise> otherwise = otherwiseOf(options);
+  if (!otherwise) return refuse(otherwise.error());
+  if (const Status played = playOtherwise(*otherwise, options.replay, *replay); !played) return refuse(played.error());
   const Result<FrameRange> frames = framesOf(options.frames, replay->ticks());
   if (!frames) return refuse(frames.error());
   const auto assets = openAssets(options.assets);

@@ -91,6 +91,9 @@ Result<sim::SmokeSettings> settingsOf(const SmokeOptions& options) {
   const Result<physics::Accuracy> accuracy = accuracyOf(options.accuracy);
   if (!accuracy) return accuracy.error();
   settings.accuracy = *accuracy;
+  const Result<effects::EffectMask> without = effectsOf(options.without);
+  if (!without) return without.error();
+  settings.without = *without;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) return Error{"--set " + setting + ": expected NAME=TEXT"};

@@ -7,13 +7,21 @@ function(brittle_target folder out)
   set(${out} brittle_${name} PARENT_SCOPE)
 endfunction()
 
-# brittle_effect(Joints FILES...): an option BRITTLE_EFFECT_JOINTS, on; off, its files (patterns) are not compiled.
+# brittle_effect(Joints FILES... [INSTEAD FILE]): an option BRITTLE_EFFECT_JOINTS, on; off, its files (patterns) are not compiled,
+# but FILE, which answers in their place, is.
 function(brittle_effect name)
+  cmake_parse_arguments(ARG "" "INSTEAD" "" ${ARGN})
   string(TOUPPER ${name} option)
   option(BRITTLE_EFFECT_${option} "The module of the effect ${name}" ON)
+  set(left_out ${ARG_INSTEAD})
   if(NOT BRITTLE_EFFECT_${option})
-    file(GLOB files ${ARGN})
+    set(left_out ${ARG_UNPARSED_ARGUMENTS})
+  endif()
+  if(left_out)
+    file(GLOB files ${left_out})
     set_property(GLOBAL APPEND PROPERTY BRITTLE_LEFT_OUT ${files})
+  endif()
+  if(NOT BRITTLE_EFFECT_${option})
     set_property(GLOBAL APPEND_STRING PROPERTY BRITTLE_NOT_BUILT " && effect != Effect::${name}")
   endif()
 endfunction()

@@ -87,8 +87,12 @@ struct JointScene {
     integrateVelocities();
     JointSolver& joints = state.jointSolver;
     joints.prepare(state, dt);
+    state.driveSolver.prepare(state, dt);
     joints.warmStart(state.solverBodies.data());
-    for (int i = 0; i < iterations; ++i) joints.solve(state.solverBodies.data());
+    for (int i = 0; i < iterations; ++i) {
+      joints.solve(state.solverBodies.data());
+      state.driveSolver.solve(state.solverBodies.data());
+    }
     joints.store(state);
     integratePositions();
     for (int i = 0; i < positionIterations; ++i) joints.correctPositions(state);

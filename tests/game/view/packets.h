@@ -12,7 +12,8 @@ inline sim::Event eventOf(sim::EventType type, const Vec3& point) {
   return event;
 }
 
-/// One room with a floor of 4 x 8 m and a camera one metre above it.
+/// One room with a floor of 4 x 8 m, in which every effect runs that finds something to do, and a camera one metre above
+/// it.
 inline sim::FramePacket packetAt(std::uint64_t tick) {
   sim::FramePacket packet;
   packet.tick = tick;
@@ -30,6 +31,7 @@ inline sim::FramePacket packetAt(std::uint64_t tick) {
   floor.halfExtents = Vec3(2.0f, 0.5f, 4.0f);
   look->boxes.push_back(floor);
   sim::RoomView room;
+  room.effects = effects::EffectMask::ofBits(~0u);
   room.segments.push_back({1, Vec3::Zero(), look});
   packet.rooms.push_back(room);
   return packet;

@@ -108,9 +108,8 @@ TEST(Drive, ALaterRoundOfTheSameTickSpendsNoSecondLimit) {
   state.solverBodies.assign(1, SolverBody{});
   state.solverBodies[0].invMass = 1.0f / 7.0f;
   for (const bool isFirst : {true, false, false}) {
-    state.jointSolver.prepare(state, scene.dt, isFirst);
-    for (int i = 0; i < 10; ++i) state.jointSolver.solve(state.solverBodies.data());
-    state.jointSolver.store(state);
+    state.driveSolver.prepare(state, scene.dt, isFirst);
+    for (int i = 0; i < 10; ++i) state.driveSolver.solve(state.solverBodies.data());
     EXPECT_NEAR(state.solverBodies[0].velocity.x(), 10.0f * scene.dt, 1e-5f);
   }
 }
@@ -122,29 +121,16 @@ TEST(Drive, WakesASleeperThatIsNotAtItsTarget) {
   scene.drive(positionDrive(scene, there, Vec3::Zero(), 1.0f));
   scene.drive(positionDrive(scene, away, Vec3::Zero(), 1.0f));
   scene.body(there).awake = scene.body(away).awake = false;
-  wakeByJoints(scene.state);
+  wakeByDrives(scene.state);
   EXPECT_FALSE(scene.body(there).awake);
   EXPECT_TRUE(scene.body(away).awake);
 }
 
-TEST(Joint, WakesASleeperHeldToAMovingBodyOrTurnedByAMotor) {
+TEST(Drive, ItsTargetMovesWithTheOrigin) {
   JointScene scene;
-  const BodyHandle a = scene.addBox(Vec3::Zero(), Vec3::Constant(0.1f), 1.0f);
-  const BodyHandle b = scene.addBox(Vec3(1.0f, 0.0f, 0.0f), Vec3::Constant(0.1f), 1.0f);
-  const BodyHandle c = scene.addBox(Vec3(3.0f, 0.0f, 0.0f), Vec3::Constant(0.1f), 1.0f);
-  scene.join(JointType::Ball, a, b, Vec3(0.5f, 0.0f, 0.0f));
-  const JointHandle hinge = scene.join(JointType::Hinge, c, {}, Vec3(3.0f, 0.0f, 0.0f));
-  scene.body(a).awake = scene.body(c).awake = false;
-  scene.body(b).restTicks = 5;  // awake, but as good as at rest
-  wakeByJoints(scene.state);
-  EXPECT_FALSE(scene.body(a).awake);
-  EXPECT_FALSE(scene.body(c).awake);
-  scene.body(b).restTicks = 0;
-  scene.joint(hinge).motor = true;
-  scene.joint(hinge).motorSpeed = 1.0f;
-  wakeByJoints(scene.state);
-  EXPECT_TRUE(scene.body(a).awake);
-  EXPECT_TRUE(scene.body(c).awake);
+  const DriveHandle drive = scene.drive({});
+  shiftDrives(scene.state, Vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(scene.state.drives[drive].def.position, Vec3(-1.0f, -2.0f, -3.0f));
 }
 
 }  // namespace

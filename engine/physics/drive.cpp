@@ -1,4 +1,5 @@
-// Drives: bodies pulled to a pose with a bounded push, and who must be awake for joints and drives to act.
+#include "engine/physics/drive.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +15,8 @@ constexpr float kPush = 20.0f;  // [m/s2]
 constexpr float kTurn = 40.0f;  // [rad/s2]
 constexpr float kRigid = 100.0f;
 // Closer to its target than this a driven body may sleep.
-constexpr float kNear = 1e-3f;       // [m]
-constexpr float kNearAngle = 5e-3f;  // [rad]
+constexpr float kThere = 1e-3f;       // [m]
+constexpr float kThereAngle = 5e-3f;  // [rad]
 
 /// The speed from which a body can stop after `distance` when it loses a dt per tick: v^2 + v a dt = 2 a d, since the
 /// sum of such falling steps is the distance. The last step just arrives and may take 9/8 of a dt (v = 3/2 a dt), so a
@@ -81,37 +82,10 @@ void drive(const Vec3& target, const Vec3& free, float limit, Vec3& change, Vec3
   change = wanted;
 }
 
-bool isMoving(const Body* body) {
-  if (!body || body->type == BodyType::Static) return false;
-  if (body->isDynamic()) return body->awake && body->restTicks == 0;
-  return body->velocity != Vec3::Zero() || body->angularVelocity != Vec3::Zero();
-}
-
-void wakeSleeper(Body* body) {
-  if (body && body->isDynamic() && !body->awake) body->wake();
-}
-
-void wakeJointed(State& state) {
-  state.joints.forEach([&](JointHandle, const Joint& joint) {
-    const Shape* shapeA = state.shapes.find(joint.a);
-    const Shape* shapeB = state.shapes.find(joint.b);
-    if (!shapeA || (joint.b && !shapeB)) return;
-    Body* a = state.bodies.find(shapeA->body);
-    Body* b = shapeB ? state.bodies.find(shapeB->body) : nullptr;
-    const bool turning = joint.motor && joint.motorSpeed != 0.0f;
-    const bool wakesA = isMoving(b) || turning;
-    const bool wakesB = isMoving(a) || turning;
-    if (wakesA) wakeSleeper(a);
-    if (wakesB) wakeSleeper(b);
-  });
-}
-
 bool isThere(const DriveDef& def, const Body& body) {
-  if (def.drivePosition && !(offsetTo(def, body).norm() < kNear)) return false;
-  return !def.driveRotation || turnTo(def, body).norm() < kNearAngle;
+  if (def.drivePosition && !(offsetTo(def, body).norm() < kThere)) return false;
+  return !def.driveRotation || turnTo(def, body).norm() < kThereAngle;
 }
-
-}  // namespace
 
 void solveDrive(PreparedDrive& prepared, SolverBody& body) {
   if (prepared.linear) drive(prepared.target, -prepared.weight, prepared.limit, prepared.change, body.velocity);
@@ -119,7 +93,9 @@ void solveDrive(PreparedDrive& prepared, SolverBody& body) {
     drive(prepared.angularTarget, Vec3::Zero(), prepared.angularLimit, prepared.angularChange, body.angularVelocity);
 }
 
-void JointSolver::prepareDrives(const State& state, float dt, bool isFirstPass) {
+}  // namespace
+
+void DriveSolver::prepare(const State& state, float dt, bool isFirstPass) {
   spent_.swap(drives_);
   drives_.clear();
   if (state.drives.size() == 0) return;
@@ -147,21 +123,21 @@ void JointSolver::prepareDrives(const State& state, float dt, bool isFirstPass) 
   });
 }
 
-void wakeByJoints(State& state) {
-  if (state.joints.size() > 0) wakeJointed(state);
+void DriveSolver::solve(SolverBody* bodies) {
+  for (PreparedDrive& drive : drives_) solveDrive(drive, bodies[drive.body.index]);
+}
+
+void wakeByDrives(State& state) {
   if (state.drives.size() == 0) return;
   state.bodies.forEach([&](BodyHandle, Body& body) {
     if (!body.isDynamic() || body.awake) return;
     state.drives.forEach([&](DriveHandle, const Drive& drive) {
-      if (drive.def.assembly == body.assembly && !isThere(drive.def, body)) wakeSleeper(&body);
+      if (drive.def.assembly == body.assembly && !isThere(drive.def, body)) body.wake();
     });
   });
 }
 
-void shiftJoints(State& state, const Vec3& offset) {
-  state.joints.forEach([&](JointHandle, Joint& joint) {
-    if (!joint.b) joint.localAnchorB -= offset;
-  });
+void shiftDrives(State& state, const Vec3& offset) {
   state.drives.forEach([&](DriveHandle, Drive& drive) { drive.def.position -= offset; });
 }
 
