@@ -208,10 +208,6 @@ float coverage(int cell, const Vec2& p) {
 
 }  // namespace
 
-int decalCell(int tile) {
-  return tile < 0 && tile >= -kEmblems ? 63 - tile : tile & 63;
-}
-
 std::vector<std::uint8_t> paintDecals() {
   constexpr int kWidth = kDecalsAcross * kDecalPixels, kHeight = kDecalRows * kDecalPixels;
   std::vector<std::uint8_t> atlas(static_cast<std::size_t>(kWidth) * kHeight);

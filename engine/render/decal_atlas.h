@@ -14,7 +14,9 @@ inline constexpr int kDecalPixels = 64;
 inline constexpr int kEmblems = 4;
 
 /// Cell of a sprite: 0 to 63 are themselves, -1 to -4 the emblems; anything else is wrapped into 0 to 63.
-int decalCell(int tile);
+inline int decalCell(int tile) {
+  return tile < 0 && tile >= -kEmblems ? 63 - tile : tile & 63;
+}
 
 /// Coverage of the atlas, top row first, a byte a texel.
 std::vector<std::uint8_t> paintDecals();

@@ -8,6 +8,7 @@
 namespace brittle::render::glsl {
 
 extern const char* const kHeader;          // version, precisions, the uniform blocks, colour decoding
+extern const char* const kScreenVertex;    // one triangle that covers the picture
 extern const char* const kVertexCommon;    // rotations, body transforms
 extern const char* const kFragmentCommon;  // fog, environment, surface shading
 

@@ -126,4 +126,12 @@ vec3 shade(vec3 albedo, vec3 point, vec3 n, float metalness, float gloss, float 
 }
 )";
 
+// One triangle that covers the picture.
+const char* const kScreenVertex = R"(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 1.0, 1.0);
+}
+)";
+
 }  // namespace brittle::render::glsl

@@ -2,7 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/core/profile.h"
-#include "engine/render/decal_atlas.h"
+#include "engine/effects/built.h"
 #include "engine/render/glsl.h"
 #include "engine/render/text.h"
 #include "engine/render/tiles.h"
@@ -12,6 +12,8 @@ namespace brittle::render {
 namespace {
 
 using As = Attribute::As;
+using effects::Effect;
+using effects::isBuilt;
 
 constexpr std::array<Attribute, 4> kSphereLayout = {{{1, 4, GL_FLOAT, As::Float, 0},
                                                      {2, 4, GL_FLOAT, As::Float, 16},
@@ -35,12 +37,6 @@ constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0
                                                    {3, 1, GL_FLOAT, As::Float, 28}}};
 constexpr std::array<Attribute, 3> kHudLayout = {
     {{0, 4, GL_FLOAT, As::Float, 0}, {1, 4, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 32}}};
-constexpr GLsizei kQuadVertices = 4, kBoxVertices = 14, kTetrahedronVertices = 12;
-
-void bindTexture(const Gl& gl, GLint unit, GLuint texture) {
-  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-}
 
 }  // namespace
 
@@ -69,9 +65,22 @@ Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
 
 Status Passes::build(Which which) {
   static const ProgramSource* const sources[kPrograms] = {
-      &glsl::kBackground, &glsl::kRoom,      &glsl::kSolid, &glsl::kSphere, &glsl::kCrumb, &glsl::kDecal,
-      &glsl::kShadow,     &glsl::kGlass,     &glsl::kEdge,  &glsl::kGlow,   &glsl::kBeam,  &glsl::kBright,
-      &glsl::kBlur,       &glsl::kComposite, &glsl::kHud,   &glsl::kOverlay};
+      &glsl::kBackground,
+      &glsl::kRoom,
+      &glsl::kSolid,
+      &glsl::kSphere,
+      &glsl::kCrumb,
+      isBuilt(Effect::Decals) ? &glsl::kDecal : nullptr,
+      isBuilt(Effect::Shadows) ? &glsl::kShadow : nullptr,
+      &glsl::kGlass,
+      &glsl::kEdge,
+      &glsl::kGlow,
+      &glsl::kBeam,
+      isBuilt(Effect::Bloom) ? &glsl::kBright : nullptr,
+      isBuilt(Effect::Bloom) ? &glsl::kBlur : nullptr,
+      &glsl::kComposite,
+      &glsl::kHud,
+      &glsl::kOverlay};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();
@@ -99,6 +108,11 @@ void Passes::set(Uniform uniform, const Vec4& v) const {
   gl_.Uniform4f(locations_[current_][uniform], v.x(), v.y(), v.z(), v.w());
 }
 
+void Passes::bindTexture(GLint unit, GLuint texture) const {
+  gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl_.BindTexture(GL_TEXTURE_2D, texture);
+}
+
 void Passes::setMaterials(const MaterialUniforms& materials) {
   gl_.BindBuffer(GL_UNIFORM_BUFFER, materialBlock_.name());
   gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(materials), &materials, GL_DYNAMIC_DRAW);
@@ -110,21 +124,6 @@ void Passes::begin(const FrameUniforms& uniforms) {
   gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frameBlock_.name());
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, kMaterialBlock, materialBlock_.name());
-}
-
-void Passes::beginMirror(const FrameUniforms& uniforms) {
-  inMirror_ = true;
-  if (!mirrorBlock_) mirrorBlock_ = GlBuffer(gl_);
-  gl_.BindBuffer(GL_UNIFORM_BUFFER, mirrorBlock_.name());
-  gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, mirrorBlock_.name());
-}
-
-void Passes::endMirror() {
-  inMirror_ = false;
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frameBlock_.name());
-  setState(Depth::Write, Blend::Off, Faces::All);
-  gl_.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
 void Passes::setState(Depth depth, Blend blend, Faces faces) {
@@ -164,7 +163,7 @@ void Passes::room(const StaticMesh& mesh, const Vec3& offset, bool polished) {
   setState(Depth::Write, polished ? Blend::Premultiplied : Blend::Off, Faces::Front);
   if (!use(kRoomProgram)) return;
   if (!tiles_) tiles_ = makeTileTexture(gl_);
-  bindTexture(gl_, kUnitTiles, tiles_.name());
+  bindTexture(kUnitTiles, tiles_.name());
   set(kOffset, Vec4(offset.x(), offset.y(), offset.z(), polished ? 1.0f : 0.0f));
   mesh.draw(gl_, polished);
   count(mesh.triangles(polished));
@@ -199,25 +198,6 @@ void Passes::crumbs(const std::vector<CrumbInstance>& instances) {
   if (!use(kCrumbProgram)) return;
   crumbBatch_.draw(gl_, GL_TRIANGLES, kTetrahedronVertices, instances);
   count(instances.size() * 4);
-}
-
-void Passes::decals(const std::vector<DecalInstance>& instances) {
-  if (instances.empty()) return;
-  setState(Depth::Test, Blend::Premultiplied, Faces::All);
-  if (!use(kDecalProgram)) return;
-  if (!decals_) decals_ = makeDecalTexture(gl_);
-  bindTexture(gl_, kUnitDecals, decals_.name());
-  decalBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
-  count(instances.size() * 2);
-}
-
-void Passes::shadows(const std::vector<ShadowInstance>& instances) {
-  if (instances.empty()) return;
-  // Back faces without a depth test: seen from inside the box, too.
-  setState(Depth::Off, Blend::Over, Faces::Back);
-  if (!use(kShadowProgram)) return;
-  shadowBatch_.draw(gl_, GL_TRIANGLE_STRIP, kBoxVertices, instances);
-  count(instances.size() * 12);
 }
 
 void Passes::glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut) {
@@ -255,26 +235,10 @@ void Passes::beams(const std::vector<BeamInstance>& instances) {
   count(instances.size() * 2);
 }
 
-void Passes::bloom(Target& target) {
-  setState(Depth::Off, Blend::Off, Faces::All);
-  target.bindSmall(0);
-  if (!use(kBrightProgram)) return;
-  drawScreen();
-  if (!use(kBlurProgram)) return;
-  const float right = 1.0f / static_cast<float>(target.smallWidth()),
-              up = 1.0f / static_cast<float>(target.smallHeight());
-  for (const std::size_t to : {1u, 0u}) {
-    target.bindSmall(to);
-    target.useSmall(1 - to, kUnitBloom);
-    set(kTap, to == 1 ? Vec4(right, 0.0f, 0.0f, 0.0f) : Vec4(0.0f, up, 0.0f, 0.0f));
-    drawScreen();
-  }
-  target.useSmall(0, kUnitBloom);
-}
-
 void Passes::composite(Target& target, float strength, const Vec4& tint, const Vec4& border) {
   target.resolve(kUnitColor);
-  if (strength > 0.0f) bloom(target);
+  if constexpr (isBuilt(Effect::Bloom))
+    if (strength > 0.0f) bloom(target);
   target.bindPicture();
   setState(Depth::Off, Blend::Off, Faces::All);
   use(kCompositeProgram);
@@ -283,8 +247,8 @@ void Passes::composite(Target& target, float strength, const Vec4& tint, const V
   set(kTap, Vec4(strength, 0.0f, 0.0f, 0.0f));
   drawScreen();
   // The next frame draws into them, and WebGL refuses that while a program could read them.
-  bindTexture(gl_, kUnitColor, 0);
-  if (strength > 0.0f) bindTexture(gl_, kUnitBloom, 0);
+  bindTexture(kUnitColor, 0);
+  if (strength > 0.0f) bindTexture(kUnitBloom, 0);
 }
 
 void Passes::hud(const std::vector<HudInstance>& instances) {
@@ -292,7 +256,7 @@ void Passes::hud(const std::vector<HudInstance>& instances) {
   setState(Depth::Off, Blend::Over, Faces::All);
   if (!use(kHudProgram)) return;
   if (!glyphs_) glyphs_ = makeGlyphTexture(gl_);
-  bindTexture(gl_, kUnitGlyphs, glyphs_.name());
+  bindTexture(kUnitGlyphs, glyphs_.name());
   hudBatch_.draw(gl_, GL_TRIANGLE_STRIP, kQuadVertices, instances);
   count(instances.size() * 2);
 }

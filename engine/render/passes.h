@@ -54,6 +54,7 @@ class Passes {
   FrameCounters& counters() { return counters_; }
 
  private:
+  static constexpr GLsizei kQuadVertices = 4, kBoxVertices = 14, kTetrahedronVertices = 12;
   enum Which {
     kBackgroundProgram,
     kRoomProgram,
@@ -85,6 +86,7 @@ class Passes {
   /// False, with a line in the log, if its shader does not compile.
   bool use(Which which);
   void set(Uniform uniform, const Vec4& value) const;
+  void bindTexture(GLint unit, GLuint texture) const;
   void drawScreen();
   void bloom(Target& target);
   void drawTriangles(GLuint indexBuffer, const std::vector<std::uint32_t>& indices);

@@ -5,11 +5,15 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/profile.h"
+#include "engine/effects/built.h"
 #include "engine/render/passes.h"
 
 namespace brittle::render {
 
 namespace {
+
+using effects::Effect;
+using effects::isBuilt;
 
 constexpr int kMaxPicture = 16384;    // [pixels]
 constexpr float kRefraction = 0.07f;  // how far aside tilted glass looks [picture heights]; chosen by eye
@@ -86,12 +90,14 @@ void Renderer::Parts::drawRooms(const Frame& frame, bool polished) {
 }
 
 void Renderer::Parts::drawMirrored(const Frame& frame, const FrameUniforms& uniforms) {
-  BR_ZONE("render mirror");
-  passes->beginMirror(uniforms);
-  drawRooms(frame, false);
-  for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
-  passes->spheres(instances.spheres);
-  passes->endMirror();
+  if constexpr (isBuilt(Effect::Mirror)) {
+    BR_ZONE("render mirror");
+    passes->beginMirror(uniforms);
+    drawRooms(frame, false);
+    for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
+    passes->spheres(instances.spheres);
+    passes->endMirror();
+  }
 }
 
 void Renderer::Parts::drawOpaque(const Frame& frame) {
@@ -100,13 +106,13 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
   passes->spheres(instances.spheres);
   passes->crumbs(instances.crumbs);
-  passes->decals(instances.decals);
+  if constexpr (isBuilt(Effect::Decals)) passes->decals(instances.decals);
 }
 
 void Renderer::Parts::drawShadows(bool refracts) {
   BR_ZONE("render shadows");
   if (refracts || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
-  passes->shadows(instances.shadows);
+  if constexpr (isBuilt(Effect::Shadows)) passes->shadows(instances.shadows);
   if (refracts) target->copyColor(kUnitColor);
 }
 

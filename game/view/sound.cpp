@@ -1,15 +1,12 @@
 #include "game/view/sound.h"
 
 #include "engine/core/log.h"
-#include "engine/math/trig.h"
-#include "game/view/music.h"
+#include "engine/effects/built.h"
 
 namespace brittle::view {
 namespace {
 
 constexpr std::uint64_t kStream = 0x50554e44;
-constexpr float kMusicWorth =
-    8.0f;                         // a chord that stops in the middle is noticed sooner than a shard that does not fall
 constexpr float kDetune = 0.05f;  // sounds of things differ by up to this share of their pitch; notes do not
 
 audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random) {
@@ -27,19 +24,6 @@ audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random)
   return voice;
 }
 
-audio::VoiceDef voiceOf(const MusicNote& note, const audio::Instruments& instruments) {
-  const audio::Instruments::Tone tone = instruments.tone(note.instrument, note.note);
-  const float angle = 0.25f * kPi * (1.0f + note.side);
-  audio::VoiceDef voice;
-  voice.clip = tone.clip;
-  voice.pitch = tone.pitch;
-  voice.left = note.gain * cosine(angle);
-  voice.right = note.gain * sine(angle);
-  voice.send = 0.5f;
-  voice.worth = kMusicWorth;
-  return voice;
-}
-
 }  // namespace
 
 void Sound::tick(const sim::FramePacket& packet) {
@@ -48,16 +32,7 @@ void Sound::tick(const sim::FramePacket& packet) {
   Random random(mixSeed(kStream, packet.tick));
   for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) mixer_.play(voiceOf(cue, mixer_.bank(), random));
   streak_ = packet.hud.streak;
-  playMusic(packet);
-}
-
-void Sound::playMusic(const sim::FramePacket& packet) {
-  if (packet.rooms.empty() || !packet.rooms.front().effects.has(effects::Effect::Music)) return;
-  const std::int32_t tick = musicTickOf(packet);
-  if (tick == musicTick_) return;  // the game stands still
-  musicTick_ = tick;
-  if (!instruments_) instruments_ = std::make_unique<audio::Instruments>();
-  for (const MusicNote& note : notesAt(packet.rooms.front().music, tick)) mixer_.play(voiceOf(note, *instruments_));
+  if constexpr (effects::isBuilt(effects::Effect::Music)) playMusic(packet);
 }
 
 std::int32_t musicTickOf(const sim::FramePacket& packet) {
