@@ -1,0 +1,96 @@
+// effects_cost [--json|--markdown] [--used] [EFFECT...]: what each effect costs where it is used and where it is not.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "tools/brittle/progress.h"
+#include "tools/effects_cost/measure.h"
+
+namespace {
+
+using namespace brittle;
+using namespace brittle::effects_cost;
+
+enum class Form { Table, Markdown, Json };
+
+std::string textOf(const std::optional<double>& number, const char* format, const char* none) {
+  if (!number) return none;
+  char text[32];
+  std::snprintf(text, sizeof text, format, *number == 0.0 ? 0.0 : *number);
+  return text;
+}
+
+void printJson(const std::vector<Cost>& costs) {
+  std::printf("[");
+  for (const Cost& cost : costs)
+    std::printf(
+        "%s\n  {\"effect\": \"%s\", \"unused_overhead_percent\": %s, \"bytes_per_body\": %s, \"code_bytes\": %s, "
+        "\"used_ms\": %.4f}",
+        &cost == costs.data() ? "" : ",", effects::nameOf(cost.effect),
+        textOf(cost.unusedOverhead, "%.4f", "null").c_str(), textOf(cost.bytesPerBody, "%.1f", "null").c_str(),
+        textOf(cost.codeBytes, "%.0f", "null").c_str(), cost.usedMilliseconds);
+  std::printf("\n]\n");
+}
+
+void printTable(const std::vector<Cost>& costs, Form form) {
+  const bool isMarkdown = form == Form::Markdown;
+  std::printf(isMarkdown ? "| effect | unused: instructions | bytes a body | program | used: ms a tick |\n| --- | ---: "
+                           "| ---: | ---: | ---: |\n"
+                         : "%-16s %20s %14s %12s %16s\n",
+              "effect", "unused: instructions", "bytes a body", "program", "used: ms a tick");
+  for (const Cost& cost : costs) {
+    std::optional<double> kilobytes = cost.codeBytes;
+    if (kilobytes) *kilobytes /= 1024.0;
+    std::printf(isMarkdown ? "| %s | %s | %s | %s | %.3f |\n" : "%-16s %20s %14s %12s %16.3f\n",
+                effects::nameOf(cost.effect), textOf(cost.unusedOverhead, "%+.3f %%", "-").c_str(),
+                textOf(cost.bytesPerBody, "%.0f", "-").c_str(), textOf(kilobytes, "%.1f kB", "-").c_str(),
+                cost.usedMilliseconds);
+  }
+}
+
+int refuse(const std::string& message) {
+  std::fprintf(stderr, "effects_cost: %s\n", message.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "What each effect costs: in a room that does not use it, against a build without its module; and in one "
+      "that does, drawn at 320x180 by the processor.",
+      "effects_cost");
+  std::vector<std::string> names;
+  bool json = false, markdown = false, used = false;
+  Effort effort;
+  effort.jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+  app.add_option("EFFECT", names, "names of effects (default: all that have a module)");
+  app.add_flag("--json", json, "a list of objects");
+  app.add_flag("--markdown", markdown, "a table for README")->excludes("--json");
+  app.add_flag("--used", used, "only what it costs where it is used: builds nothing");
+  app.add_option("--rounds", effort.rounds, "of timing")->capture_default_str()->check(CLI::Range(1, 100));
+  app.footer(
+      "Builds one program for each effect (build/without/EFFECT), some minutes each the first time.\n\n"
+      "Examples:\n  effects_cost\n  effects_cost --json joints reverb\n  effects_cost --used mirror");
+  CLI11_PARSE(app, argc, argv);
+  effort.compares = !used;
+  std::vector<effects::Effect> wanted;
+  for (const std::string& name : names) {
+    const auto effect = effects::effectNamed(name);
+    if (!effect || !hasModule(*effect))
+      return refuse(name + ": expected an effect with a module (brittle play --help lists them)");
+    wanted.push_back(*effect);
+  }
+  for (std::size_t i = 0; names.empty() && i < effects::kEffects; ++i)
+    if (hasModule(static_cast<effects::Effect>(i))) wanted.push_back(static_cast<effects::Effect>(i));
+  program::Progress progress("measuring", static_cast<std::uint32_t>(stepsOf(wanted, effort)));
+  std::uint32_t step = 0;
+  const auto costs = measure(wanted, effort, [&](const std::string&) { progress.reached(step++); });
+  if (!costs) return refuse(costs.error().message);
+  if (json)
+    printJson(*costs);
+  else
+    printTable(*costs, markdown ? Form::Markdown : Form::Table);
+  return 0;
+}
