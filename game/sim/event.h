@@ -9,7 +9,7 @@
 namespace brittle::sim {
 
 /// What a shape looks and sounds like; also MeshInfo::material of its mesh.
-enum class Look : std::uint16_t { Static = 0, Glass, Metal, Wood, Stone, Crystal, Ball, Door };
+enum class Look : std::uint16_t { Static = 0, Glass, Metal, Wood, Stone, Crystal, Ball, Door, PowerUp };
 
 enum class EventType : std::uint8_t {
   Throw,          // a ball left the camera; direction: its velocity
@@ -28,7 +28,11 @@ enum class EventType : std::uint8_t {
   Begin,       // the title is left
   Checkpoint,  // a room that ends at a checkpoint is passed; value: the balls now stored for it
   Smoke,       // a script lets out a puff; direction: where it drifts [m/s]
-  Glow         // a script lights a point, for this tick
+  Glow,        // a script lights a point, for this tick
+  PowerUpCollected,  // by a ball; value: which PowerUp
+  PowerUpUsed,       // value: which
+  PowerUpEnded,      // has run out; value: which
+  Explosion          // size: how far it pushes [m]; value: things broken; impulse: given to what is loose [N s]
 };
 
 struct Event {

@@ -13,6 +13,7 @@ void Room::serialize(Archive& a) {
   a(viewpoint_.ticks);
   for (BuiltSegment& segment : built_) a(segment);
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) a(*obstacle);
+  for (Pickup& pickup : pickups_) a(pickup);
   a.vector(balls_);
   a(nextBall_);
   std::uint32_t demanded = plan_.effects.demanded().bits();
@@ -88,12 +89,14 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   for (const Ball& ball : balls_) {
     const Transform& pose = world_->body(ball.body).pose;
     balls.push_back(
-        {ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius});
+        {ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius,
+         ball.charge()});
   }
   view.crumbs.clear();
   for (const physics::Crumb& crumb : world_->debris().crumbs)
     view.crumbs.push_back({Vec3(crumb.position + frameOffset_), crumb.radius, crumb.color});
   copyRopes(view);
+  copyPickups(view);
 }
 
 void Room::copySegments(RoomView& view) const {
