@@ -67,7 +67,9 @@ class Blast {
     return {shape.body, point, (point - def_.center).norm()};
   }
 
+  /// What became of one thing does not shield it.
   bool isInSight(const Vec3& to, BodyHandle target) const {
+    const std::uint32_t own = world_.body(target).assembly;
     const Vec3 direction = normalizedOr(to - def_.center, Vec3::UnitY());
     Vec3 from = def_.center;
     for (int i = 0; i < kMostCrossed; ++i) {
@@ -77,7 +79,7 @@ class Blast {
       const BodyHandle met = world_.bodyOf(ray.shape);
       if (met == target) return true;
       const std::uint32_t assembly = world_.body(met).assembly;
-      if (std::find(bursting_.begin(), bursting_.end(), assembly) == bursting_.end()) return false;
+      if (assembly != own && std::find(bursting_.begin(), bursting_.end(), assembly) == bursting_.end()) return false;
       from = ray.point + direction * kSkin;
     }
     return false;

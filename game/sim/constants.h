@@ -83,10 +83,11 @@ struct BlastRule {
   float breakReach, pushReach;  // [m]
   float pressure;               // [N s/m2]
   float mostSpeed, breakSpeed;  // [m/s]
+  float standOff;               // of the centre before what was touched [m]; at 0 it runs along a pane, not through it
   float shake;                  // of the camera, close by, 0 to 1
 };
-inline constexpr BlastRule kNitroBlast = {1.3f, 3.0f, 90.0f, 9.0f, 12.0f, 0.45f};
-inline constexpr BlastRule kBarrelBlast = {4.5f, 9.0f, 500.0f, 16.0f, 18.0f, 1.0f};
+inline constexpr BlastRule kNitroBlast = {1.5f, 3.2f, 140.0f, 10.0f, 12.0f, 0.3f, 0.45f};
+inline constexpr BlastRule kBarrelBlast = {4.5f, 9.0f, 700.0f, 18.0f, 18.0f, 0.8f, 1.0f};
 inline constexpr float kShakeReach = 14.0f;  // a blast farther from the camera does not shake it [m]
 
 // Units of the level format. Its materials say density 1 and force limits of 0.01 to 0.5. Shipped panes (4 x 2 x 0.04

@@ -140,7 +140,8 @@ class Room {
   void copyPickups(RoomView& view) const;
   // The module of explosions.
   void explodeBalls();
-  void touch(physics::BodyHandle ball, const Vec3& center);
+  void touch(physics::BodyHandle ball, const Vec3& point, const Vec3& back);
+  Vec3 centerOfBlast(const Vec3& touched, const Vec3& back, float standOff) const;
   void explode(const Vec3& center, Charge charge);
   void readBreak(const physics::BreakEvent& broken);
   void readHit(const physics::HitEvent& hit);

@@ -35,8 +35,8 @@ class Burning {
   void light() {
     if (age_ >= kLightTicks) return;
     const float left = 1.0f - age_ / kLightTicks;
-    frame_.glows.push_back({center_, size_ * 3.2f, packRgba({1.0f, 0.88f, 0.62f}, 0.75f * left * left)});
-    frame_.glows.push_back({center_, size_ * 2.2f * left, packRgba({1.0f, 0.97f, 0.88f}, left), 0.0f, 1.0f});
+    frame_.glows.push_back({center_, size_ * 2.6f, packRgba({1.0f, 0.88f, 0.62f}, 0.6f * left * left)});
+    frame_.glows.push_back({center_, size_ * 1.3f * left, packRgba({1.0f, 0.97f, 0.88f}, 0.9f * left), 0.0f, 1.0f});
   }
 
   /// Balls of fire that swell, rise and go out.
@@ -100,7 +100,7 @@ class Burning {
 
 /// Of the ball of fire [m].
 float fireSizeOf(const sim::Event& event) {
-  return 0.2f * event.size;
+  return 0.24f * event.size;
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ void addPowerUpBorder(const sim::Hud& hud, double tick, render::Frame& frame) {
   if (weight <= 0.0f) return;
   const float pain = frame.border.w() / 0.85f;
   const render::Rgb color = sum / weight;
-  const Vec4 own(color.x(), color.y(), color.z(), 0.62f * strongest);
+  const Vec4 own(color.x(), color.y(), color.z(), 0.40f * strongest);
   frame.border = own + (Vec4(0.85f, 0.08f, 0.06f, 0.85f) - own) * clampTo(pain, 0.0f, 1.0f);
 }
 

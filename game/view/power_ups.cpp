@@ -38,9 +38,13 @@ void addPickup(const sim::PickupView& pickup, double time, render::Frame& frame)
   }
 }
 
+render::Rgb colorOfCharge(sim::Charge charge) {
+  return colorOf(charge == sim::Charge::Barrel ? sim::PowerUp::Barrel : sim::PowerUp::NitroBalls);
+}
+
 void addCharge(const sim::BallView& ball, double time, render::Frame& frame) {
   const bool isBarrel = ball.charge == sim::Charge::Barrel;
-  const render::Rgb color = colorOf(isBarrel ? sim::PowerUp::Barrel : sim::PowerUp::NitroBalls);
+  const render::Rgb color = colorOfCharge(ball.charge);
   const float flicker = 0.75f + 0.25f * Noise(ball.id * 977 + static_cast<std::uint64_t>(time))(0);
   const float size = isBarrel ? 2.0f : 1.0f;
   frame.glows.push_back({ball.pose.position, 2.6f * size * ball.radius, render::packRgba(color, 0.6f * flicker)});
@@ -60,6 +64,10 @@ render::Rgb colorOf(sim::PowerUp kind) {
     default:
       return {1.0f, 0.46f, 0.20f};
   }
+}
+
+std::uint32_t tintOf(const sim::BallView& ball) {
+  return ball.charge == sim::Charge::None ? render::kWhite : render::packRgba(colorOfCharge(ball.charge));
 }
 
 void turnPickups(const sim::RoomView& room, double time, std::vector<Transform>& bodies) {

@@ -9,6 +9,9 @@ namespace brittle::view {
 /// Of each kind; the HUD's sign, border and everything else has it too.
 render::Rgb colorOf(sim::PowerUp kind);
 
+/// Of a ball: white, or what it carries.
+std::uint32_t tintOf(const sim::BallView& ball);
+
 /// What waits turns and bobs; `time` in ticks of the game's time. `bodies` are the room's, as MeshGroup holds them.
 void turnPickups(const sim::RoomView& room, double time, std::vector<Transform>& bodies);
 

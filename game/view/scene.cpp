@@ -140,7 +140,7 @@ void Scene::addThings() {
   }
   const auto material = static_cast<std::uint16_t>(sim::Look::Ball);
   for (const sim::BallView& ball : seen_.balls)
-    frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, render::kWhite});
+    frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, tintOf(ball)});
 }
 
 const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused,
