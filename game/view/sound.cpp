@@ -62,7 +62,7 @@ void Sound::followTime(const sim::FramePacket& packet) {
 }
 
 float lowPassOf(const sim::FramePacket& packet) {
-  const float ownAmount = packet.rooms.empty() ? 0.0f : packet.rooms.front().lowPass;
+  const float ownAmount = packet.rooms.empty() ? 0.0f : acousticsOf(packet.rooms.front()).lowPass;
   return maxOf(ownAmount, kUnderWater * (1.0f - packet.timeShare) / (1.0f - kSlowest));
 }
 
