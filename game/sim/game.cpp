@@ -42,7 +42,7 @@ struct Game::Impl {
   void emit(EventType type, PowerUp kind);
   void usePowerUps(std::uint8_t buttons);
   TimeStep passTime();
-  bool hasPowerUps() const { return !session.inventory.isEmpty() || !session.clock.isWhole(); }
+  bool hasPowerUps() const { return !session.inventory.isEmpty() || !session.clock.isWhole() || session.explosions > 0; }
   void remember();
   void refreshHud();
   RestartPoint pointAt(std::uint32_t room) const;
@@ -187,6 +187,7 @@ std::uint64_t Game::stateHash() const {
     HashArchive powerUps;
     impl_->session.inventory.serialize(powerUps);
     impl_->session.clock.serialize(powerUps);
+    powerUps(impl_->session.explosions);
     hash.add(powerUps.value());
   }
   return hash.value();
@@ -217,6 +218,7 @@ void Game::save(ByteWriter& out) const {
     inventory.serialize(archive);
     Clock clock = session.clock;
     clock.serialize(archive);
+    out.write(session.explosions);
   }
   impl_->track->save(out);
 }
@@ -239,8 +241,10 @@ bool Game::restore(ByteReader& in) {
   }
   session.inventory = {};
   session.clock = {};
+  session.explosions = 0;
   if (hasPowerUps) session.inventory.serialize(archive);
   if (hasPowerUps) session.clock.serialize(archive);
+  if (hasPowerUps) session.explosions = in.read<std::uint32_t>();
   if (!session.inventory.isValid() || !session.clock.isValid()) return false;
   if (!in.ok() || impl_->stage.phase > Phase::GameOver || !impl_->track->restore(in)) return false;
   session.globals = globals;  // rooms made anew have run their scripts: what those set is in here already

@@ -36,7 +36,7 @@ struct Session {
   Score score;
   Inventory inventory;
   Clock clock;
-  std::uint32_t explosions = 0;  // for who looks: the game does not read it
+  std::uint32_t explosions = 0;  // since the start
   std::uint64_t tick = 0;
   std::vector<Event> events;      // of this tick
   std::vector<Problem> problems;  // each text once

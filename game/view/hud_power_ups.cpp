@@ -21,6 +21,7 @@ constexpr float kTouch = 0.5f * kStep;
 constexpr float kArrivalTicks = 24.0f;
 constexpr float kLastQuarter = 0.25f;
 constexpr float kBlinkTicks = 16.0f;
+constexpr float kColourTicks = 50.0f;  // a colour of the border stays so long where several run
 
 HudPoint placeOf(std::size_t place) {
   return {Vec2(0.0f, 1.0f), Vec2(kFirst + kStep * static_cast<float>(place), -kUp)};
@@ -139,22 +140,21 @@ void addPowerUpSigns(const sim::Hud& hud, const Memory& memory, double tick, ren
   }
 }
 
-/// Of all that run together, each as strong as it blinks; pain covers them.
+/// Where several run the border goes from one colour to the next; pain covers them.
 void addPowerUpBorder(const sim::Hud& hud, double tick, render::Frame& frame) {
-  render::Rgb sum = render::Rgb::Zero();
-  float weight = 0.0f, strongest = 0.0f;
-  for (const sim::PowerUpView& held : hud.powerUps) {
-    if (!held.runs) continue;
-    const float strength = blinkOf(held, tick);
-    sum += colorOf(held.kind) * strength;
-    weight += strength;
-    strongest = maxOf(strongest, strength);
-  }
-  if (weight <= 0.0f) return;
-  const float pain = frame.border.w() / 0.85f;
-  const render::Rgb color = sum / weight;
-  const Vec4 own(color.x(), color.y(), color.z(), 0.40f * strongest);
-  frame.border = own + (Vec4(0.85f, 0.08f, 0.06f, 0.85f) - own) * clampTo(pain, 0.0f, 1.0f);
+  std::vector<const sim::PowerUpView*> running;
+  for (const sim::PowerUpView& held : hud.powerUps)
+    if (held.runs) running.push_back(&held);
+  if (running.empty()) return;
+  const double turn = std::fmod(tick / static_cast<double>(kColourTicks), static_cast<double>(running.size()));
+  const auto place = static_cast<std::size_t>(turn);
+  const sim::PowerUpView &from = *running[place % running.size()], &to = *running[(place + 1) % running.size()];
+  const float way = softStep(0.7f, 1.0f, static_cast<float>(turn - std::floor(turn)));
+  const render::Rgb color = colorOf(from.kind) + (colorOf(to.kind) - colorOf(from.kind)) * way;
+  const float strength = blinkOf(from, tick) + (blinkOf(to, tick) - blinkOf(from, tick)) * way;
+  const Vec4 own(color.x(), color.y(), color.z(), 0.40f * strength);
+  const float pain = clampTo(hud.pain, 0.0f, 1.0f);
+  frame.border = own + (frame.border - own) * pain;
 }
 
 }  // namespace hud

@@ -161,7 +161,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
     if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
   if constexpr (kHas<Effect::Air>)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
-  addParticles(seen_, memory_, tick, frame_);
+  addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
   addPowerUps(seen_, timeAt(alpha_), frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) addTimings(*timings, frame_);

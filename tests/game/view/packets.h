@@ -17,6 +17,7 @@ inline sim::Event eventOf(sim::EventType type, const Vec3& point) {
 inline sim::FramePacket packetAt(std::uint64_t tick) {
   sim::FramePacket packet;
   packet.tick = tick;
+  packet.time = static_cast<double>(tick);
   packet.camera.halfWidthTangent = 0.57735f;
   packet.camera.near = 0.2f;
   packet.camera.far = 100.0f;
