@@ -109,12 +109,11 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
 }  // namespace
 
 const char* nameOf(Sound sound) {
-  constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain", "tinkle_small",
-                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",    "on_metal",
-                                    "on_wood",       "on_glass",     "on_steel",    "note",       "missed",
-                                    "door",          "crash",        "throw",       "power_up_taken",
-                                    "power_up_begins", "power_up_ends", "blast_small", "blast_medium",
-                                    "blast_large",   "time_slows",   "time_returns"};
+  constexpr const char* kNames[] = {
+      "glass_small", "glass_medium", "glass_large", "shard_rain", "tinkle_small",   "tinkle_medium",   "tinkle_large",
+      "on_stone",    "on_wall",      "on_metal",    "on_wood",    "on_glass",       "on_steel",        "note",
+      "missed",      "door",         "crash",       "throw",      "power_up_taken", "power_up_begins", "power_up_ends",
+      "blast_small", "blast_medium", "blast_large", "time_slows", "time_returns"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }

@@ -43,7 +43,9 @@ enum class Sound : std::uint8_t {
 /// Which sounds are computed.
 enum class SoundSet : std::uint8_t { All, Common, PowerUps };
 
-inline bool isOfPowerUps(Sound sound) { return sound >= Sound::PowerUpTaken; }
+inline bool isOfPowerUps(Sound sound) {
+  return sound >= Sound::PowerUpTaken;
+}
 
 inline constexpr std::uint32_t kNotes = 12;
 /// MIDI numbers of the notes: a pentatonic scale on C from C5 on, so that any two sound well together.

@@ -10,8 +10,8 @@
 namespace brittle::physics {
 namespace {
 
-constexpr float kSkin = 1e-3f;    // a ray that goes on behind a surface begins so far behind it [m]
-constexpr int kMostCrossed = 64;  // pieces of bursting glass on one line of sight
+constexpr float kSkin = 1e-3f;       // a ray that goes on behind a surface begins so far behind it [m]
+constexpr int kMostCrossed = 64;     // pieces of bursting glass on one line of sight
 constexpr float kLeastPush = 1e-6f;  // [N s]
 
 /// Something that may break, at its nearest point.
@@ -45,7 +45,8 @@ class Blast {
       const Shape& shape = world_.shape(handle);
       if (!world_.body(shape.body).breakable || shape.isSphere()) return true;
       const Target found = nearestOf(shape);
-      const auto known = std::find_if(targets.begin(), targets.end(), [&](const Target& t) { return t.body == found.body; });
+      const auto known =
+          std::find_if(targets.begin(), targets.end(), [&](const Target& t) { return t.body == found.body; });
       if (known == targets.end())
         targets.push_back(found);
       else if (found.distance < known->distance)
@@ -114,8 +115,9 @@ class Blast {
       const Vec3 middle = body.pose.toWorld(shape.massProperties.center);
       const Vec3 direction = normalizedOr(middle - def_.center, Vec3::UnitY());
       const float mass = shape.massProperties.volume * shape.surface.density;
-      const float area = shape.isSphere() ? kPi * shape.radius * shape.radius
-                                          : outlineArea(world_.meshes().view(shape.mesh), body.pose.unrotate(direction));
+      const float area = shape.isSphere()
+                             ? kPi * shape.radius * shape.radius
+                             : outlineArea(world_.meshes().view(shape.mesh), body.pose.unrotate(direction));
       const float impulse = impulseAt(def_, (middle - def_.center).norm(), area, mass);
       if (impulse > kLeastPush && isInSight(middle, shape.body))
         found.push_back({shape.body, middle, direction * impulse});

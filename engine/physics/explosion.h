@@ -1,5 +1,6 @@
-// physics/explosion.h - a blast in a world: glass near it breaks, what is loose is pushed, where nothing stands between.
-// The module of Effect::Explosions; written with World's own calls, so that breaking and pushing are counted as ever.
+// physics/explosion.h - a blast in a world: glass near it breaks, what is loose is pushed, where nothing stands
+// between. The module of Effect::Explosions; written with World's own calls, so that breaking and pushing are counted
+// as ever.
 #pragma once
 
 #include <cstdint>

@@ -75,8 +75,8 @@ inline constexpr int kNitroTicks = 10 * kTickRate;  // [ticks]
 inline constexpr int kSlowTicks = 8 * kTickRate;    // before time gets faster again [ticks]
 inline constexpr int kSlowestShare = 64;            // of 256: time runs at a quarter; below 16 the physics takes no dt
 inline constexpr int kSlowStep = 6;  // of 256 a tick: slow within half a second, and down and up are 40 ticks in all
-inline constexpr int kMostPowerUps = 9;          // of a kind: one digit
-inline constexpr float kPickupRadius = 0.30f;    // a ball whose surface comes nearer collects it [m]
+inline constexpr int kMostPowerUps = 9;        // of a kind: one digit
+inline constexpr float kPickupRadius = 0.30f;  // a ball whose surface comes nearer collects it [m]
 inline constexpr int kMaxPickupsPerRoom = 200;
 // Blasts: of a nitro ball, of a barrel. A pane of 4 cm has 10 kg/m2: 60 N s/m2 are 6 m/s.
 struct BlastRule {

@@ -25,11 +25,11 @@ physics::ExplosionDef blastOf(Charge charge, const Vec3& center) {
 
 /// A charged ball goes off where it first broke or met something: what it broke it may have passed by now.
 void Room::explodeBalls() {
-  const bool isAny = std::any_of(balls_.begin(), balls_.end(), [](const Ball& b) { return b.charge() != Charge::None; });
+  const bool isAny =
+      std::any_of(balls_.begin(), balls_.end(), [](const Ball& b) { return b.charge() != Charge::None; });
   if (!isAny) return;
   const physics::Events events = world_->events();  // a blast adds none, but what it touches is read by handle
-  for (const physics::BreakEvent& broken : events.breaks)
-    touch(broken.striker, broken.point, -broken.normal);
+  for (const physics::BreakEvent& broken : events.breaks) touch(broken.striker, broken.point, -broken.normal);
   for (const physics::HitEvent& hit : events.hits)
     for (const physics::BodyHandle body : {hit.a, hit.b}) {
       if (!world_->isAlive(body)) continue;

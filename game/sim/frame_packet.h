@@ -90,7 +90,7 @@ struct BallView {
 /// A power-up that waits to be hit: its body stands still, whoever shows it may let it turn.
 struct PickupView {
   PowerUp kind = PowerUp::BallFrenzy;
-  std::uint32_t body = 0;  // index into RoomView::bodies
+  std::uint32_t body = 0;        // index into RoomView::bodies
   Vec3 position = Vec3::Zero();  // [m]
 };
 
@@ -122,7 +122,7 @@ struct RoomView {
   float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
-  effects::EffectMask effects;  // that run in it
+  effects::EffectMask effects;   // that run in it
   std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
   std::vector<BodyPose> bodies;    // by body slot
@@ -152,19 +152,19 @@ struct Hud {
   std::int32_t balls = 0;
   std::int32_t streak = 0;
   std::int32_t ballsPerThrow = 1;
-  std::int32_t room = 0;             // which of the level's, from 0
-  std::int32_t rooms = 0;            // how many the level has
-  std::int32_t checkpointBalls = 0;  // with which the game would begin again at the last checkpoint
-  float distance = 0.0f;             // displayed, in the level's units
-  float roomProgress = 0.0f;         // 0 to 1
-  float pain = 0.0f;                 // red border, 1 to 0
+  std::int32_t room = 0;              // which of the level's, from 0
+  std::int32_t rooms = 0;             // how many the level has
+  std::int32_t checkpointBalls = 0;   // with which the game would begin again at the last checkpoint
+  float distance = 0.0f;              // displayed, in the level's units
+  float roomProgress = 0.0f;          // 0 to 1
+  float pain = 0.0f;                  // red border, 1 to 0
   std::vector<PowerUpView> powerUps;  // held or running, in their places
-  bool throwsAreFree = false;        // a held pointer may throw and throw
+  bool throwsAreFree = false;         // a held pointer may throw and throw
 };
 
 struct FramePacket {
   std::uint64_t tick = 0;
-  double time = 0.0;      // of the game: ticks, less what slow motion took of them [ticks]
+  double time = 0.0;       // of the game: ticks, less what slow motion took of them [ticks]
   float timeShare = 1.0f;  // of the last tick that passed of the game's time
   Camera camera;
   double originZ = 0.0;                  // local z + originZ is the place along the whole game [m]

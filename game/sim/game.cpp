@@ -42,7 +42,9 @@ struct Game::Impl {
   void emit(EventType type, PowerUp kind);
   void usePowerUps(std::uint8_t buttons);
   TimeStep passTime();
-  bool hasPowerUps() const { return !session.inventory.isEmpty() || !session.clock.isWhole() || session.explosions > 0; }
+  bool hasPowerUps() const {
+    return !session.inventory.isEmpty() || !session.clock.isWhole() || session.explosions > 0;
+  }
   void remember();
   void refreshHud();
   RestartPoint pointAt(std::uint32_t room) const;
@@ -81,8 +83,8 @@ void Game::Impl::usePowerUps(std::uint8_t buttons) {
 /// Whole ticks, but for slow motion and until its time has caught up.
 TimeStep Game::Impl::passTime() {
   if constexpr (effects::isBuilt(effects::Effect::SlowMotion)) {
-    const bool isSlow = session.inventory.runs(PowerUp::SlowMotion) &&
-                        track->current().effects().runs(effects::Effect::SlowMotion);
+    const bool isSlow =
+        session.inventory.runs(PowerUp::SlowMotion) && track->current().effects().runs(effects::Effect::SlowMotion);
     if (isSlow || !session.clock.isWhole()) return sim::passTime(session.clock, session.tick, isSlow);
   }
   return {};
@@ -118,7 +120,8 @@ void Game::Impl::refreshHud() {
   hud.throwsAreFree = session.inventory.runs(PowerUp::BallFrenzy);
   hud.powerUps.clear();
   for (const PowerUpSlot& slot : session.inventory.slots()) {
-    const float left = slot.ticksAll > 0 ? static_cast<float>(slot.ticksLeft) / static_cast<float>(slot.ticksAll) : 1.0f;
+    const float left =
+        slot.ticksAll > 0 ? static_cast<float>(slot.ticksLeft) / static_cast<float>(slot.ticksAll) : 1.0f;
     hud.powerUps.push_back({slot.kind, slot.count, slot.runs, slot.runs ? left : 0.0f});
   }
 }

@@ -219,9 +219,7 @@ void addParameterCalls(script::Library& library) {
 }
 
 void addTimeCalls(script::Library& library) {
-  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) {
-    call.result(o.room->age() * rules::kTickSeconds);
-  });
+  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) { call.result(o.room->age() * rules::kTickSeconds); });
   addCall(library, "mgObstacleTime",
           [](script::Call& call, Obstacle& o) { call.result(o.age() * rules::kTickSeconds); });
   addCall(library, "mgGetBeat", getBeat);

@@ -49,7 +49,8 @@ std::int32_t ticksOf(PowerUp kind) {
 }
 
 PowerUpSlot* Inventory::find(PowerUp kind) {
-  const auto found = std::find_if(slots_.begin(), slots_.end(), [kind](const PowerUpSlot& s) { return s.kind == kind; });
+  const auto found =
+      std::find_if(slots_.begin(), slots_.end(), [kind](const PowerUpSlot& s) { return s.kind == kind; });
   return found == slots_.end() ? nullptr : &*found;
 }
 

@@ -1,5 +1,5 @@
-// game/sim/power_up.h - what a player collects, holds and uses: the kinds of power-ups, and the inventory with what runs
-// of it. Knows no world: what a kind does is done by whoever asks whether it runs.
+// game/sim/power_up.h - what a player collects, holds and uses: the kinds of power-ups, and the inventory with what
+// runs of it. Knows no world: what a kind does is done by whoever asks whether it runs.
 #pragma once
 
 #include <cstdint>
@@ -49,8 +49,8 @@ class Inventory {
  public:
   /// At most rules::kMostPowerUps of a kind.
   void collect(PowerUp kind);
-  /// Begins one of the kind in place `place` (from 0); of a kind that runs, it lasts longer. Nothing if there is none to
-  /// use.
+  /// Begins one of the kind in place `place` (from 0); of a kind that runs, it lasts longer. Nothing if there is none
+  /// to use.
   std::optional<PowerUp> use(std::size_t place);
   bool runs(PowerUp kind) const;
   std::int32_t count(PowerUp kind) const;

@@ -9,7 +9,7 @@ namespace brittle::sim {
 
 namespace {
 
-constexpr std::uint32_t kPickupBit = 0x40000000u;  // in Body::userData: neither an obstacle's nor a ball's
+constexpr std::uint32_t kPickupBit = 0x40000000u;      // in Body::userData: neither an obstacle's nor a ball's
 constexpr float kSize = 0.75f * rules::kPickupRadius;  // of what is seen [m]
 
 /// The corners (x, y, z) with both signs of y and z, and what turning the axes makes of them.
@@ -39,7 +39,8 @@ std::vector<Vec3> spindle() {
 geometry::Convex solidOf(PowerUp kind) {
   if (kind == PowerUp::Barrel) return geometry::makeCylinder(0.7f * kSize, kSize, 10, false);
   constexpr float onSphere = 0.525731f;  // times 1 and the golden ratio: corners at distance 1
-  const std::vector<Vec3> corners = kind == PowerUp::BallFrenzy   ? cornersOf(onSphere * kSize, 1.618034f * onSphere * kSize)
+  const std::vector<Vec3> corners = kind == PowerUp::BallFrenzy
+                                        ? cornersOf(onSphere * kSize, 1.618034f * onSphere * kSize)
                                     : kind == PowerUp::NitroBalls ? cornersOf(0.707107f * kSize, 0.707107f * kSize)
                                                                   : spindle();
   const Result<geometry::Convex> hull = geometry::makeHull(corners);
@@ -61,7 +62,8 @@ void Room::startPickups(float distance) {
   bool isAnyAlive = false;
   for (std::size_t i = 0; i < pickups_.size(); ++i) {
     Pickup& pickup = pickups_[i];
-    if (pickup.stage == Stage::Waiting && -plan_.pickups[i].position.z() < distance + rules::kSpawnAhead) startPickup(i);
+    if (pickup.stage == Stage::Waiting && -plan_.pickups[i].position.z() < distance + rules::kSpawnAhead)
+      startPickup(i);
     if (pickup.stage == Stage::Alive && !world_->isAlive(pickup.body)) pickup.stage = Stage::Gone;  // left behind
     isAnyAlive = isAnyAlive || pickup.stage == Stage::Alive;
   }

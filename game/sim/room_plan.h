@@ -55,7 +55,7 @@ struct RoomPlan {
   Crowd crowd;
   std::deque<ObstacleDef> obstacles;  // addresses stay
   std::vector<PlannedPickup> pickups;
-  effects::EffectSet effects;         // what its script demands
+  effects::EffectSet effects;  // what its script demands
 };
 
 /// One room of a level as its file names it; `attributes` are readable from the script.
@@ -81,8 +81,8 @@ void placeBox(Session& session, const LookBox& box, bool isSolid, const std::str
 /// Appends an obstacle; false, and reported once, if the room is full of them.
 bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan);
 
-/// Appends a power-up, named as in level files, that is asked for at `where`, with the effect it needs. One that does not
-/// exist, or whose effect is not compiled in, is reported and left out.
+/// Appends a power-up, named as in level files, that is asked for at `where`, with the effect it needs. One that does
+/// not exist, or whose effect is not compiled in, is reported and left out.
 void placePowerUp(Session& session, const std::string& type, const Vec3& position, const std::string& where,
                   RoomPlan& plan);
 

@@ -88,9 +88,10 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   });
   for (const Ball& ball : balls_) {
     const Transform& pose = world_->body(ball.body).pose;
-    balls.push_back(
-        {ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius,
-         ball.charge()});
+    balls.push_back({ball.number + (slot_ << 30),
+                     {Vec3(pose.position + frameOffset_), pose.rotation},
+                     rules::kBallRadius,
+                     ball.charge()});
   }
   view.crumbs.clear();
   for (const physics::Crumb& crumb : world_->debris().crumbs)

@@ -1,6 +1,6 @@
 // game/sim/slow_motion.h - the game's own time: as long as a tick, or a part of one while slow motion runs. Physics,
-// the camera's way, scripts' clocks, beats and the room's music go by it; power-ups, the HUD and what a player does go by
-// ticks. The module of Effect::SlowMotion is slow_motion.cpp; without it every tick is a whole one.
+// the camera's way, scripts' clocks, beats and the room's music go by it; power-ups, the HUD and what a player does go
+// by ticks. The module of Effect::SlowMotion is slow_motion.cpp; without it every tick is a whole one.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ inline constexpr std::int32_t kWholeTick = 256;  // the game's time is counted i
 
 /// What passes of the game's time in one tick.
 struct TimeStep {
-  std::int32_t part = 0;            // of a tick of the game's time that had passed before it [256ths of a tick], below 256
+  std::int32_t part = 0;  // of a tick of the game's time that had passed before it [256ths of a tick], below 256
   std::int32_t share = kWholeTick;  // passes now [256ths of a tick]
 
   /// Whether a tick of the game's time ends.
@@ -39,8 +39,8 @@ struct Clock {
   }
 };
 
-/// The next tick, after `ticks` of them: slower by one step, down to rules::kSlowestShare, while `isSlow`, else faster by
-/// one.
+/// The next tick, after `ticks` of them: slower by one step, down to rules::kSlowestShare, while `isSlow`, else faster
+/// by one.
 TimeStep passTime(Clock& clock, std::uint64_t ticks, bool isSlow);
 
 }  // namespace brittle::sim

@@ -28,8 +28,8 @@
 //   speed()                           of the camera [m/s]
 //   gravity()                         of the room [m/s2]
 //   look()                            how many things are in sight now, nearest first
-//   seen(I)                           of thing I (from 1): "crystal", "threat", "button" or "power-up"; x, y, ahead of the camera
-//   [m]; velocity
+//   seen(I)                           of thing I (from 1): "crystal", "threat", "button" or "power-up"; x, y, ahead of
+//   the camera [m]; velocity
 //                                     x, y, ahead [m/s]; a number that stays its own; whether the line to it is clear;
 //                                     how far aside of the camera's way [m]; whether a ball can move or break it; its
 //                                     obstacle's type; x of its centre

@@ -48,7 +48,8 @@ class Smoke {
     while (game.tickCount() < until && !isCalledOff()) {
       replay::InputFrame frame;
       if (game.tickCount() < throws_.size()) frame.throws = throws_[game.tickCount()];
-      if (const auto pressed = buttons_.find(game.tickCount()); pressed != buttons_.end()) frame.buttons = pressed->second;
+      if (const auto pressed = buttons_.find(game.tickCount()); pressed != buttons_.end())
+        frame.buttons = pressed->second;
       result.inputs.push_back(frame);
       game.tick(frame);
     }

@@ -36,7 +36,7 @@ HudPoint moved(HudPoint at, float right, float down) {
 float blinkOf(const sim::PowerUpView& held, double tick) {
   const bool isEnding = held.runs && held.left < kLastQuarter;
   return isEnding && std::fmod(tick, static_cast<double>(kBlinkTicks)) > 0.55 * static_cast<double>(kBlinkTicks) ? 0.25f
-                                                                                                                : 1.0f;
+                                                                                                                 : 1.0f;
 }
 
 struct Brush {

@@ -81,7 +81,8 @@ TEST(Explosion, WhatStandsBetweenShields) {
 
 TEST(Explosion, GlassThatBurstsDoesNotShieldWhatIsBehindIt) {
   World world(weightless());
-  for (const float z : {-0.6f, -1.0f, -1.4f, -1.8f}) addPane(world, Vec3(0.0f, 0.0f, z), Vec3(0.6f, 0.6f, 0.02f), 100.0f);
+  for (const float z : {-0.6f, -1.0f, -1.4f, -1.8f})
+    addPane(world, Vec3(0.0f, 0.0f, z), Vec3(0.6f, 0.6f, 0.02f), 100.0f);
   const Explosion done = explode(world, blastAt(Vec3::Zero()));
   ASSERT_EQ(done.breaks.size(), 3u) << "the fourth is out of reach";
   for (std::size_t i = 0; i < 3; ++i) {

@@ -41,7 +41,8 @@ TEST(PowerUps, OneStandsInNobodysWay) {
 }
 
 TEST(PowerUps, ScriptsPlaceThemToo) {
-  const auto game = newTestGame(oneRoom("", 160.0f, "mgSegment('test/corridor', 0) mgLength(160) mgPowerUp('barrel', 0, 1, -6)"));
+  const auto game =
+      newTestGame(oneRoom("", 160.0f, "mgSegment('test/corridor', 0) mgLength(160) mgPowerUp('barrel', 0, 1, -6)"));
   EXPECT_TRUE(collect(*game));
   EXPECT_EQ(game->hud().powerUps[0].kind, PowerUp::Barrel);
 }

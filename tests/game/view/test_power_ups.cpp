@@ -35,8 +35,8 @@ TEST(PowerUpHud, WithoutAnyNothingIsAdded) {
 }
 
 TEST(PowerUpHud, EachKindShowsItsNumberAtTheLeft) {
-  const render::Frame frame =
-      hudOf(holding({{PowerUp::BallFrenzy, 2}, {PowerUp::SlowMotion, 3}, {PowerUp::NitroBalls, 4}, {PowerUp::Barrel, 9}}));
+  const render::Frame frame = hudOf(
+      holding({{PowerUp::BallFrenzy, 2}, {PowerUp::SlowMotion, 3}, {PowerUp::NitroBalls, 4}, {PowerUp::Barrel, 9}}));
   std::vector<std::string> numbers;
   for (const render::HudText& text : frame.texts)
     if (text.at.anchor == Vec2(0.0f, 1.0f)) numbers.push_back(text.text);
@@ -56,7 +56,8 @@ TEST(PowerUpHud, WhatRunsHasAPieOfItsRest) {
 
 TEST(PowerUpHud, TheBorderHasTheColourOfWhatRuns) {
   const auto border = [](PowerUp kind) { return hudOf(holding({{kind, 0, true, 0.9f}})).border; };
-  const Vec4 frenzy = border(PowerUp::BallFrenzy), slow = border(PowerUp::SlowMotion), nitro = border(PowerUp::NitroBalls);
+  const Vec4 frenzy = border(PowerUp::BallFrenzy), slow = border(PowerUp::SlowMotion),
+             nitro = border(PowerUp::NitroBalls);
   EXPECT_GT(frenzy.y(), frenzy.x() + 0.3f) << "green";
   EXPECT_GT(slow.x(), slow.y() + 0.3f) << "magenta";
   EXPECT_GT(slow.z(), slow.y() + 0.3f);
@@ -89,7 +90,8 @@ TEST(PowerUpHud, TouchesMeetTheSigns) {
     const float unit = minOf(size.y(), size.x() / render::kHudWidth);
     std::vector<Vec2> numbers;
     for (const render::HudText& text : hudOf(packet).texts)
-      if (text.at.anchor.x() == 0.0f) numbers.push_back(Vec2(text.at.offset.x() * unit, size.y() + text.at.offset.y() * unit));
+      if (text.at.anchor.x() == 0.0f)
+        numbers.push_back(Vec2(text.at.offset.x() * unit, size.y() + text.at.offset.y() * unit));
     ASSERT_EQ(numbers.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_TRUE(numbers[i].x() > spots[i].left && numbers[i].x() < spots[i].right);
@@ -108,8 +110,7 @@ TEST(PowerUpHud, ThereIsNothingToTouchWhenPlayIsOver) {
 
 TEST(PowerUpLook, ColoursDiffer) {
   for (const PowerUp a : kAll)
-    for (const PowerUp b : kAll)
-      EXPECT_TRUE(a == b || (colorOf(a) - colorOf(b)).norm() > 0.25f);
+    for (const PowerUp b : kAll) EXPECT_TRUE(a == b || (colorOf(a) - colorOf(b)).norm() > 0.25f);
 }
 
 TEST(PowerUpLook, WhatWaitsTurnsInItsPlaceByTheGamesTime) {
