@@ -40,7 +40,7 @@ void Room::explodeBalls() {
 
 void Room::touch(physics::BodyHandle body, const Vec3& point, const Vec3& back) {
   const auto ball = std::find_if(balls_.begin(), balls_.end(), [body](const Ball& b) { return b.body == body; });
-  if (ball == balls_.end() || ball->charge() == Charge::None) return;
+  if (ball == balls_.end() || ball->charge() == Charge::None || !world_->isAlive(body)) return;
   const Charge charge = ball->charge();
   balls_.erase(ball);
   world_->destroyBody(body);

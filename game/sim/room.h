@@ -138,6 +138,7 @@ class Room {
   bool isHit(const Vec3& place) const;
   void lookAtPickups(std::vector<Sight>& sights) const;
   void copyPickups(RoomView& view) const;
+  bool hasOwnPickups() const;
   // The module of explosions.
   void explodeBalls();
   void touch(physics::BodyHandle ball, const Vec3& point, const Vec3& back);

@@ -92,6 +92,7 @@ void Room::startPickup(std::size_t index) {
 bool Room::isHit(const Vec3& place) const {
   constexpr float near = rules::kPickupRadius + rules::kBallRadius;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (!world_->isAlive(balls_[i].body)) continue;  // quarantined in this tick
     const Vec3 from = ballsBefore_[i], way = world_->body(balls_[i].body).center - from;
     const float along = clampTo((place - from).dot(way) / maxOf(way.squaredNorm(), 1e-12f), 0.0f, 1.0f);
     if ((from + way * along - place).squaredNorm() < near * near) return true;
@@ -119,6 +120,15 @@ void Room::collectPickups() {
 void Room::demandFor(PowerUp kind) {
   const std::optional<effects::Effect> effect = effectOf(kind);
   if (effect) demandOnce(*effect, "a power-up of another room");
+}
+
+/// Whether each that waits has a body of its own, and nobody else's.
+bool Room::hasOwnPickups() const {
+  for (std::size_t i = 0; i < pickups_.size(); ++i) {
+    if (pickups_[i].stage != Stage::Alive || !world_->isAlive(pickups_[i].body)) continue;
+    if (world_->body(pickups_[i].body).userData != (kPickupBit | static_cast<std::uint32_t>(i))) return false;
+  }
+  return true;
 }
 
 void Room::copyPickups(RoomView& view) const {

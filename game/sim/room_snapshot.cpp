@@ -54,6 +54,7 @@ bool Room::restore(ByteReader& in) {
 
 /// What damaged bytes could break beside the world: what is reached without asking whether it is there.
 bool Room::isConsistent() const {
+  if (!hasOwnPickups()) return false;
   for (const Ball& ball : balls_)
     if (!world_->isAlive(ball.body)) return false;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {

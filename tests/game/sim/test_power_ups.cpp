@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "engine/core/random.h"
 #include "tests/game/sim/power_up_games.h"
 
 namespace brittle::sim {
@@ -208,6 +211,32 @@ TEST(PowerUps, AGameWithEachIsTheSameFromEverySnapshot) {
       }
     }
   }
+}
+
+// What neither checksum nor hash refuses: refused, or a game that goes on.
+TEST(PowerUps, AForgedSnapshotIsRefusedOrPlays) {
+  const content::MemorySource source = oneRoom(pickupAt("nitroballs") + pickupAt("barrel", "0.5 1 -12") + kPanes);
+  const auto game = newTestGame(source);
+  ASSERT_TRUE(collectAndUse(*game));
+  game->tick(throwAt(0.3f, 0.0f));
+  ByteWriter out;
+  game->save(out);
+  constexpr std::uint32_t numbers[] = {0, 1, 3, 300, 0x7fffffff, 0x80000000, 0xffffffff};
+  Random random(17);
+  int refused = 0;
+  for (int i = 0; i < 150; ++i) {
+    std::vector<unsigned char> bytes = out.bytes();
+    const std::uint32_t end = random.nextBelow(2) == 0 ? 900 : static_cast<std::uint32_t>(bytes.size()) - 4;
+    std::memcpy(&bytes[random.nextBelow(end)], &numbers[random.nextBelow(7)], 4);
+    const auto other = newTestGame(source);
+    ByteReader in(bytes);
+    if (!other->restore(in)) {
+      ++refused;
+      continue;
+    }
+    for (int tick = 0; tick < 40; ++tick, other->stateHash()) other->tick(busyInput(static_cast<std::uint64_t>(tick)));
+  }
+  EXPECT_GT(refused, 20);
 }
 
 TEST(PowerUps, ButtonsOfARecordingWithoutAnyChangeNothing) {
