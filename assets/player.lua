@@ -48,6 +48,8 @@ local function urgency(kind, ahead, id, clear, aside, breaks, vx, vy)
 			return nil
 		end
 		return ahead + 3
+	elseif kind == "power-up" then
+		return clear and ahead < skill.crystals and ahead > 1.5 and ahead + 3 or nil
 	elseif kind == "button" then
 		return clear and ahead < skill.threats and ahead or nil
 	end
@@ -78,6 +80,12 @@ local function act()
 	end
 	local target = choose()
 	if target then
+		for _, kind in ipairs({ "nitroballs", "ballfrenzy", "slowmotion", "barrel" }) do
+			local count, left = power_ups(kind)
+			if count > 0 and left == 0 then
+				use(kind)
+			end
+		end
 		local x, y, t = aim(target[1], target[2], target[3], target[4], target[5], target[6])
 		thrown[target[7]] = tick() + math.floor(t * 60) + skill.again
 		throw { x = x + spread(), y = y + spread() }

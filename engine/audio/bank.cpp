@@ -1,10 +1,15 @@
 #include "engine/audio/bank.h"
 
+#include "engine/audio/blast.h"
+#include "engine/audio/slow_motion.h"
 #include "engine/audio/synthesis.h"
 #include "engine/core/profile.h"
+#include "engine/effects/built.h"
 
 namespace brittle::audio {
 namespace {
+
+using effects::isBuilt;
 
 /// How many variations it takes until repeats are not noticed: more of what is heard often.
 std::uint32_t countOf(Sound sound) {
@@ -14,7 +19,17 @@ std::uint32_t countOf(Sound sound) {
     case Sound::Missed:
     case Sound::Door:
     case Sound::Crash:
+    case Sound::PowerUpTaken:
+    case Sound::PowerUpBegins:
+    case Sound::PowerUpEnds:
       return 1;
+    case Sound::BlastSmall:
+    case Sound::BlastMedium:
+    case Sound::BlastLarge:
+      return isBuilt(effects::Effect::Explosions) ? 3 : 0;
+    case Sound::TimeSlows:
+    case Sound::TimeReturns:
+      return isBuilt(effects::Effect::SlowMotion) ? 1 : 0;
     case Sound::Throw:
     case Sound::ShardRain:
       return 3;
@@ -25,6 +40,21 @@ std::uint32_t countOf(Sound sound) {
     default:
       return 4;
   }
+}
+
+Samples ofModule(Sound sound, Random& random) {
+  if constexpr (isBuilt(effects::Effect::Explosions)) {
+    if (sound == Sound::BlastSmall) return blast(0.0f, random);
+    if (sound == Sound::BlastMedium) return blast(0.4f, random);
+    if (sound == Sound::BlastLarge) return blast(1.0f, random);
+  }
+  if constexpr (isBuilt(effects::Effect::SlowMotion))
+    if (sound == Sound::TimeSlows || sound == Sound::TimeReturns) return timeBend(sound == Sound::TimeReturns);
+  return {};
+}
+
+bool isIn(SoundSet set, Sound sound) {
+  return set == SoundSet::All || isOfPowerUps(sound) == (set == SoundSet::PowerUps);
 }
 
 Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
@@ -65,28 +95,34 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
       return crash(random);
     case Sound::Throw:
       return swoosh(random);
-    case Sound::Count:
-      break;
+    case Sound::PowerUpTaken:
+      return powerUpTaken();
+    case Sound::PowerUpBegins:
+      return powerUpBegins(random);
+    case Sound::PowerUpEnds:
+      return powerUpEnds(random);
+    default:
+      return ofModule(sound, random);
   }
-  return {};
 }
 
 }  // namespace
 
 const char* nameOf(Sound sound) {
-  constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain", "tinkle_small",
-                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",    "on_metal",
-                                    "on_wood",       "on_glass",     "on_steel",    "note",       "missed",
-                                    "door",          "crash",        "throw"};
+  constexpr const char* kNames[] = {
+      "glass_small", "glass_medium", "glass_large", "shard_rain", "tinkle_small",   "tinkle_medium",   "tinkle_large",
+      "on_stone",    "on_wall",      "on_metal",    "on_wood",    "on_glass",       "on_steel",        "note",
+      "missed",      "door",         "crash",       "throw",      "power_up_taken", "power_up_begins", "power_up_ends",
+      "blast_small", "blast_medium", "blast_large", "time_slows", "time_returns"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }
 
-Bank::Bank() {
+Bank::Bank(SoundSet set) {
   BR_ZONE("bank");
   for (std::size_t i = 0; i < clips_.size(); ++i) {
     const auto sound = static_cast<Sound>(i);
-    for (std::uint32_t variation = 0; variation < countOf(sound); ++variation) {
+    for (std::uint32_t variation = 0; isIn(set, sound) && variation < countOf(sound); ++variation) {
       Random random(mixSeed(i, variation));
       clips_[i].emplace_back(synthesize(sound, variation, random));
     }

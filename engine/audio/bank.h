@@ -29,8 +29,23 @@ enum class Sound : std::uint8_t {
   Door,
   Crash,
   Throw,
+  PowerUpTaken,  // from here on: of power-ups, see SoundSet
+  PowerUpBegins,
+  PowerUpEnds,
+  BlastSmall,  // the module of explosions
+  BlastMedium,
+  BlastLarge,
+  TimeSlows,  // the module of slow motion
+  TimeReturns,
   Count
 };
+
+/// Which sounds are computed.
+enum class SoundSet : std::uint8_t { All, Common, PowerUps };
+
+inline bool isOfPowerUps(Sound sound) {
+  return sound >= Sound::PowerUpTaken;
+}
 
 inline constexpr std::uint32_t kNotes = 12;
 /// MIDI numbers of the notes: a pentatonic scale on C from C5 on, so that any two sound well together.
@@ -40,10 +55,11 @@ const char* nameOf(Sound sound);
 
 class Bank {
  public:
-  /// Computes everything; takes about a fifth of a second. The same samples on every machine.
-  Bank();
+  /// Computes them; all of them take about a quarter of a second. The same samples on every machine. Sounds of modules
+  /// that are not compiled in have no variations.
+  explicit Bank(SoundSet set = SoundSet::All);
   std::uint32_t variations(Sound sound) const { return static_cast<std::uint32_t>(clipsOf(sound).size()); }
-  /// `variation` counts on from the beginning when there are not so many.
+  /// `variation` counts on from the beginning when there are not so many. Only of a sound that has any.
   const Clip& clip(Sound sound, std::uint32_t variation) const {
     return clipsOf(sound)[variation % clipsOf(sound).size()];
   }

@@ -58,6 +58,9 @@ void Mixer::obey(const Command& command) {
     case Command::Rate:
       rate_ = clampTo(command.number, 0.0625f, 4.0f);
       break;
+    case Command::LowPass:
+      lowPassGoal_ = clampTo(command.number, 0.0f, 1.0f);
+      break;
     case Command::Room:
       retire(leaving_);
       leaving_ = space_;

@@ -32,6 +32,8 @@ class Mixer {
   void play(const VoiceDef& def) { send({Command::Play, def, nullptr, 0.0f}); }
   /// The next room: the last one's reverb rings out while this one's begins. Within limits, see withinLimits.
   void setAcoustics(const Acoustics& acoustics);
+  /// Of all that is heard, in place of the room's own until the next room; 0 open to 1 shut.
+  void setLowPass(float amount) { send({Command::LowPass, {}, nullptr, amount}); }
   /// Of everything that plays, for slow motion: 1 as it is, from 1/16 to 4.
   void setRate(float rate) { send({Command::Rate, {}, nullptr, rate}); }
   /// Ends all sounds and the room's.
@@ -49,10 +51,10 @@ class Mixer {
 
  private:
   struct Command {
-    enum Kind : std::uint8_t { Play, Room, Rate, Silence } kind = Play;
+    enum Kind : std::uint8_t { Play, Room, LowPass, Rate, Silence } kind = Play;
     VoiceDef voice;
     Space* space = nullptr;
-    float number = 0.0f;  // Rate: it; Room: the low-pass
+    float number = 0.0f;  // Rate: it; Room, LowPass: the low-pass
   };
 
   void send(const Command& command);

@@ -36,4 +36,11 @@ Samples swoosh(Random& random);
 /// A glass tone that sags: a chance was missed.
 Samples sigh();
 
+/// Four glass tubes, upwards: something was collected.
+Samples powerUpTaken();
+/// Something rises and rings: it is used, and begins.
+Samples powerUpBegins(Random& random);
+/// And falls off: it has run out.
+Samples powerUpEnds(Random& random);
+
 }  // namespace brittle::audio

@@ -18,7 +18,16 @@ struct Throw {
   friend bool operator==(const Throw&, const Throw&) = default;
 };
 
-enum class Button : std::uint8_t { None = 0, Restart = 1, Pause = 2 };
+/// Use1 and its followers use what the player holds in the first place, the second ...: recordings from before there
+/// was any such thing have none of these bits.
+enum class Button : std::uint8_t { None = 0, Restart = 1, Pause = 2, Use1 = 4, Use2 = 8, Use3 = 16, Use4 = 32 };
+
+inline constexpr int kUsePlaces = 4;
+
+/// The bit that uses what is held in place `place`, from 0 to kUsePlaces - 1.
+constexpr std::uint8_t useBit(int place) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(Button::Use1) << place);
+}
 
 struct InputFrame {
   std::vector<Throw> throws;  // in the order they were made; at most kMaxThrows

@@ -37,6 +37,7 @@ void Loop::handleEvents() {
   events_.clear();
   platform_.pollEvents(events_);
   input_.setView(platform_.size(), client_.tanHalfWidth());
+  input_.setControls(client_.controls(platform_.size()));
   for (const Event& event : events_) {
     const bool pressed = event.kind == EventKind::KeyDown && !event.repeated;
     const bool leaves = pressed && (event.key == Key::Escape || event.key == Key::Back);

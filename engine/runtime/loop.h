@@ -27,6 +27,8 @@ class Client {
   virtual void draw(const Shown& shown) = 0;
   /// Tangent of half the angle between the picture's left and right border, now.
   virtual float tanHalfWidth() const = 0;
+  /// What touches and held pointers mean on a picture of this size, now.
+  virtual Controls controls(PictureSize) const { return {}; }
   /// True ends the loop after this frame.
   virtual bool isDone() const = 0;
 };

@@ -15,9 +15,12 @@ namespace brittle::sim {
 /// Set in Body::userData of balls; the rest is the ball's number.
 inline constexpr std::uint32_t kBallBit = 0x80000000u;
 
+inline constexpr std::uint32_t kChargeShift = 28;
+
 struct Ball {
   physics::BodyHandle body;
-  std::uint32_t number = 0;  // counts up in its room
+  std::uint32_t number = 0;  // counts up in its room; its charge stands in bits 28 and 29
+  Charge charge() const { return static_cast<Charge>(number >> kChargeShift & 3u); }
   template <class Archive>
   void serialize(Archive& a) {
     a(body);
@@ -29,6 +32,7 @@ struct Ball {
 struct BallStart {
   Vec3 position = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
+  Charge charge = Charge::None;
 };
 
 /// The `count` balls of one throw, side by side. Each is lobbed so that, under `gravity` [m/s2] downwards, it crosses

@@ -68,6 +68,28 @@ inline constexpr int kLastBallTicks = 120;   // grace for the last ball to win o
 inline constexpr int kClearedNotes = 12;     // sounds of a cleared obstacle, format
 inline constexpr int kPainTicks = 40;        // the red border fades over this [ticks]
 
+// Power-ups.
+inline constexpr int kFrenzyTicks = 8 * kTickRate;  // throws are free so long [ticks]
+inline constexpr int kSprayTicks = 6;               // while they are, a held pointer throws each [ticks]
+inline constexpr int kNitroTicks = 10 * kTickRate;  // [ticks]
+inline constexpr int kSlowTicks = 8 * kTickRate;    // before time gets faster again [ticks]
+inline constexpr int kSlowestShare = 64;            // of 256: time runs at a quarter; below 16 the physics takes no dt
+inline constexpr int kSlowStep = 6;  // of 256 a tick: slow within half a second, and down and up are 40 ticks in all
+inline constexpr int kMostPowerUps = 9;        // of a kind: one digit
+inline constexpr float kPickupRadius = 0.30f;  // a ball whose surface comes nearer collects it [m]
+inline constexpr int kMaxPickupsPerRoom = 200;
+// Blasts: of a nitro ball, of a barrel. A pane of 4 cm has 10 kg/m2: 60 N s/m2 are 6 m/s.
+struct BlastRule {
+  float breakReach, pushReach;  // [m]
+  float pressure;               // [N s/m2]
+  float mostSpeed, breakSpeed;  // [m/s]
+  float standOff;               // of the centre before what was touched [m]; at 0 it runs along a pane, not through it
+  float shake;                  // of the camera, close by, 0 to 1
+};
+inline constexpr BlastRule kNitroBlast = {1.5f, 3.2f, 140.0f, 10.0f, 12.0f, 0.3f, 0.45f};
+inline constexpr BlastRule kBarrelBlast = {4.5f, 9.0f, 700.0f, 18.0f, 18.0f, 0.8f, 1.0f};
+inline constexpr float kShakeReach = 14.0f;  // a blast farther from the camera does not shake it [m]
+
 // Units of the level format. Its materials say density 1 and force limits of 0.01 to 0.5. Shipped panes (4 x 2 x 0.04
 // m, limit 0.1) weigh 80 kg and hold 150 N s a tick: ten times their weight is 131 N s; a ball brings 1430 N s at the
 // slowest throw.

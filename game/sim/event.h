@@ -9,7 +9,7 @@
 namespace brittle::sim {
 
 /// What a shape looks and sounds like; also MeshInfo::material of its mesh.
-enum class Look : std::uint16_t { Static = 0, Glass, Metal, Wood, Stone, Crystal, Ball, Door };
+enum class Look : std::uint16_t { Static = 0, Glass, Metal, Wood, Stone, Crystal, Ball, Door, PowerUp };
 
 enum class EventType : std::uint8_t {
   Throw,          // a ball left the camera; direction: its velocity
@@ -24,11 +24,15 @@ enum class EventType : std::uint8_t {
   Multiball,    // value: the new number of balls per throw
   Sound,        // a script asked for one; value: index into FramePacket::soundNames; size: how loud, 0 to 1
   GameOver,
-  LevelDone,   // the last room of the level is passed
-  Begin,       // the title is left
-  Checkpoint,  // a room that ends at a checkpoint is passed; value: the balls now stored for it
-  Smoke,       // a script lets out a puff; direction: where it drifts [m/s]
-  Glow         // a script lights a point, for this tick
+  LevelDone,         // the last room of the level is passed
+  Begin,             // the title is left
+  Checkpoint,        // a room that ends at a checkpoint is passed; value: the balls now stored for it
+  Smoke,             // a script lets out a puff; direction: where it drifts [m/s]
+  Glow,              // a script lights a point, for this tick
+  PowerUpCollected,  // by a ball; value: which PowerUp
+  PowerUpUsed,       // value: which
+  PowerUpEnded,      // has run out; value: which
+  Explosion          // size: how far it pushes [m]; value: things broken; impulse: given to what is loose [N s]
 };
 
 struct Event {

@@ -15,7 +15,9 @@
 #include "engine/effects/effect.h"
 #include "engine/math/transform.h"
 #include "engine/math/types.h"
+#include "game/sim/charge.h"
 #include "game/sim/event.h"
+#include "game/sim/power_up.h"
 
 namespace brittle::sim {
 
@@ -82,6 +84,22 @@ struct BallView {
   std::uint32_t id = 0;
   Transform pose;       // of the centre
   float radius = 0.0f;  // [m]
+  Charge charge = Charge::None;
+};
+
+/// A power-up that waits to be hit: its body stands still, whoever shows it may let it turn.
+struct PickupView {
+  PowerUp kind = PowerUp::BallFrenzy;
+  std::uint32_t body = 0;        // index into RoomView::bodies
+  Vec3 position = Vec3::Zero();  // [m]
+};
+
+/// A kind of power-up in the inventory.
+struct PowerUpView {
+  PowerUp kind = PowerUp::BallFrenzy;
+  std::int32_t count = 0;  // still to be used
+  bool runs = false;
+  float left = 0.0f;  // of what runs, 1 to 0; 1 where it waits for a throw
 };
 
 struct CrumbView {
@@ -104,7 +122,7 @@ struct RoomView {
   float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
-  effects::EffectMask effects;  // that run in it
+  effects::EffectMask effects;   // that run in it
   std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
   std::vector<BodyPose> bodies;    // by body slot
@@ -113,6 +131,7 @@ struct RoomView {
   std::vector<RopeView> ropes;
   std::vector<RopeView> beams;  // lasers
   std::vector<BodyDecal> bodyDecals;
+  std::vector<PickupView> pickups;
 };
 
 /// Where a game stands. A level runs from its title to the checkpoint at its end, unless the balls run out before.
@@ -133,16 +152,20 @@ struct Hud {
   std::int32_t balls = 0;
   std::int32_t streak = 0;
   std::int32_t ballsPerThrow = 1;
-  std::int32_t room = 0;             // which of the level's, from 0
-  std::int32_t rooms = 0;            // how many the level has
-  std::int32_t checkpointBalls = 0;  // with which the game would begin again at the last checkpoint
-  float distance = 0.0f;             // displayed, in the level's units
-  float roomProgress = 0.0f;         // 0 to 1
-  float pain = 0.0f;                 // red border, 1 to 0
+  std::int32_t room = 0;              // which of the level's, from 0
+  std::int32_t rooms = 0;             // how many the level has
+  std::int32_t checkpointBalls = 0;   // with which the game would begin again at the last checkpoint
+  float distance = 0.0f;              // displayed, in the level's units
+  float roomProgress = 0.0f;          // 0 to 1
+  float pain = 0.0f;                  // red border, 1 to 0
+  std::vector<PowerUpView> powerUps;  // held or running, in their places
+  bool throwsAreFree = false;         // a held pointer may throw and throw
 };
 
 struct FramePacket {
   std::uint64_t tick = 0;
+  double time = 0.0;       // of the game: ticks, less what slow motion took of them [ticks]
+  float timeShare = 1.0f;  // of the last tick that passed of the game's time
   Camera camera;
   double originZ = 0.0;                  // local z + originZ is the place along the whole game [m]
   float fogNear = 0.0f, fogFull = 0.0f;  // depths [m]

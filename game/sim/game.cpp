@@ -1,5 +1,6 @@
 #include "game/sim/game.h"
 
+#include "engine/effects/built.h"
 #include "game/sim/level.h"
 #include "game/sim/session.h"
 #include "game/sim/track.h"
@@ -10,6 +11,8 @@ namespace {
 
 /// Raised whenever a snapshot's layout or the meaning of an input changes.
 constexpr std::uint32_t kSnapshotVersion = 2;
+/// Added to it in snapshots of a game that has power-ups: those stand behind the globals.
+constexpr std::uint32_t kWithPowerUps = 0x10000;
 
 }  // namespace
 
@@ -36,6 +39,12 @@ struct Game::Impl {
     }
   };
   void enter(Phase phase, EventType type);
+  void emit(EventType type, PowerUp kind);
+  void usePowerUps(std::uint8_t buttons);
+  TimeStep passTime();
+  bool hasPowerUps() const {
+    return !session.inventory.isEmpty() || !session.clock.isWhole() || session.explosions > 0;
+  }
   void remember();
   void refreshHud();
   RestartPoint pointAt(std::uint32_t room) const;
@@ -49,9 +58,36 @@ struct Game::Impl {
 void Game::Impl::enter(Phase phase, EventType type) {
   stage.phase = phase;
   stage.ticks = 0;
+  session.inventory.stop();
   Event event;
   event.type = type;
   session.events.push_back(event);
+}
+
+void Game::Impl::emit(EventType type, PowerUp kind) {
+  Event event;
+  event.type = type;
+  event.value = static_cast<std::int32_t>(kind);
+  session.events.push_back(event);
+}
+
+void Game::Impl::usePowerUps(std::uint8_t buttons) {
+  for (const PowerUp ended : session.inventory.tick()) emit(EventType::PowerUpEnded, ended);
+  for (int place = 0; place < replay::kUsePlaces; ++place) {
+    if ((buttons & replay::useBit(place)) == 0) continue;
+    if (const auto used = session.inventory.use(static_cast<std::size_t>(place))) emit(EventType::PowerUpUsed, *used);
+  }
+  for (const PowerUpSlot& slot : session.inventory.slots()) track->current().demandFor(slot.kind);
+}
+
+/// Whole ticks, but for slow motion and until its time has caught up.
+TimeStep Game::Impl::passTime() {
+  if constexpr (effects::isBuilt(effects::Effect::SlowMotion)) {
+    const bool isSlow =
+        session.inventory.runs(PowerUp::SlowMotion) && track->current().effects().runs(effects::Effect::SlowMotion);
+    if (isSlow || !session.clock.isWhole()) return sim::passTime(session.clock, session.tick, isSlow);
+  }
+  return {};
 }
 
 RestartPoint Game::Impl::pointAt(std::uint32_t room) const {
@@ -81,6 +117,13 @@ void Game::Impl::refreshHud() {
   hud.distance = track->displayedDistance();
   hud.roomProgress = clampTo(track->pace().distance() / track->pace().roomLength(), 0.0f, 1.0f);
   hud.pain = static_cast<float>(score.pain) / static_cast<float>(rules::kPainTicks);
+  hud.throwsAreFree = session.inventory.runs(PowerUp::BallFrenzy);
+  hud.powerUps.clear();
+  for (const PowerUpSlot& slot : session.inventory.slots()) {
+    const float left =
+        slot.ticksAll > 0 ? static_cast<float>(slot.ticksLeft) / static_cast<float>(slot.ticksAll) : 1.0f;
+    hud.powerUps.push_back({slot.kind, slot.count, slot.runs, slot.runs ? left : 0.0f});
+  }
 }
 
 const char* nameOf(Phase phase) {
@@ -110,8 +153,10 @@ void Game::tick(const replay::InputFrame& input) {
   Impl::Stage& stage = impl_->stage;
   const bool isPlaying = stage.phase == Phase::Playing;
   ++stage.ticks;
-  impl_->track->tick(input, isPlaying);
-  session.score.tick();
+  if (isPlaying) impl_->usePowerUps(input.buttons);
+  const TimeStep time = impl_->passTime();
+  impl_->track->tick(input, isPlaying, time);
+  if (time.isWhole()) session.score.tick(session.inventory.runs(PowerUp::BallFrenzy));
   if (stage.phase == Phase::Title && !input.throws.empty()) impl_->enter(Phase::Playing, EventType::Begin);
   if (isPlaying) {
     impl_->remember();
@@ -141,6 +186,13 @@ std::uint64_t Game::stateHash() const {
     hash.addBytes(value.data(), value.size());
   }
   hash.add(impl_->track->stateHash());
+  if (impl_->hasPowerUps()) {
+    HashArchive powerUps;
+    impl_->session.inventory.serialize(powerUps);
+    impl_->session.clock.serialize(powerUps);
+    powerUps(impl_->session.explosions);
+    hash.add(powerUps.value());
+  }
   return hash.value();
 }
 
@@ -150,7 +202,7 @@ std::uint64_t Game::roomHash() const {
 
 void Game::save(ByteWriter& out) const {
   const Session& session = impl_->session;
-  out.write(kSnapshotVersion);
+  out.write(impl_->hasPowerUps() ? kSnapshotVersion + kWithPowerUps : kSnapshotVersion);
   out.writeString(session.def.level);
   out.write(session.def.seed);
   out.write(session.tick);
@@ -164,12 +216,21 @@ void Game::save(ByteWriter& out) const {
     out.writeString(key);
     out.writeString(value);
   }
+  if (impl_->hasPowerUps()) {
+    Inventory inventory = session.inventory;
+    inventory.serialize(archive);
+    Clock clock = session.clock;
+    clock.serialize(archive);
+    out.write(session.explosions);
+  }
   impl_->track->save(out);
 }
 
 bool Game::restore(ByteReader& in) {
   Session& session = impl_->session;
-  if (in.read<std::uint32_t>() != kSnapshotVersion || in.readString() != session.def.level) return false;
+  const auto version = in.read<std::uint32_t>();
+  const bool hasPowerUps = version == kSnapshotVersion + kWithPowerUps;
+  if ((!hasPowerUps && version != kSnapshotVersion) || in.readString() != session.def.level) return false;
   if (in.read<std::uint64_t>() != session.def.seed) return false;
   session.tick = in.read<std::uint64_t>();
   RestoreArchive archive(in);
@@ -181,6 +242,13 @@ bool Game::restore(ByteReader& in) {
     const std::string key = in.readString();
     globals[key] = in.readString();
   }
+  session.inventory = {};
+  session.clock = {};
+  session.explosions = 0;
+  if (hasPowerUps) session.inventory.serialize(archive);
+  if (hasPowerUps) session.clock.serialize(archive);
+  if (hasPowerUps) session.explosions = in.read<std::uint32_t>();
+  if (!session.inventory.isValid() || !session.clock.isValid()) return false;
   if (!in.ok() || impl_->stage.phase > Phase::GameOver || !impl_->track->restore(in)) return false;
   session.globals = globals;  // rooms made anew have run their scripts: what those set is in here already
   session.events.clear();
@@ -250,6 +318,12 @@ std::uint32_t Game::totalCrystals() const {
 std::uint32_t Game::totalCleared() const {
   return impl_->session.score.cleared;
 }
+std::uint32_t Game::totalExplosions() const {
+  return impl_->session.explosions;
+}
+float Game::timeShare() const {
+  return static_cast<float>(impl_->session.clock.share) / kWholeTick;
+}
 float Game::gravity() const {
   return rules::kGravity * impl_->track->current().gravity();
 }
@@ -265,6 +339,8 @@ void Game::copyFrame(FramePacket& packet) const {
   const Session& session = impl_->session;
   const Track& track = *impl_->track;
   packet.tick = session.tick;
+  packet.time = static_cast<double>(session.clock.after(session.tick)) / kWholeTick;
+  packet.timeShare = static_cast<float>(session.clock.share) / kWholeTick;
   packet.camera = track.camera();
   packet.originZ = -(static_cast<double>(track.globalOrigin()) / 256.0 + static_cast<double>(track.current().shift()));
   packet.fogNear = rules::kFogNear;

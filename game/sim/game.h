@@ -110,6 +110,8 @@ class Game {
   std::uint32_t totalCrashes() const;
   std::uint32_t totalCrystals() const;     // won since the start
   std::uint32_t totalCleared() const;      // obstacles dealt with since the start
+  std::uint32_t totalExplosions() const;   // since the start
+  float timeShare() const;                 // of the last tick that passed of the game's time: 1 but in slow motion
   float gravity() const;                   // of the room the camera is in [m/s2]
   std::uint32_t totalQuarantined() const;  // bodies removed because a number in them was not finite: must stay 0
 

@@ -11,6 +11,10 @@ Transform Obstacle::pose() const {
   return {Vec3(def->position + Vec3(0.0f, 0.0f, room->shift())), rotationXyz(def->rotation)};
 }
 
+float Obstacle::age() const {
+  return static_cast<float>(ticks) + static_cast<float>(room->time().partAfter()) / kWholeTick;
+}
+
 int Obstacle::numberOf(physics::BodyHandle handle) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].handle == handle) return static_cast<int>(i) + 1;
@@ -75,7 +79,7 @@ std::int64_t Obstacle::tickScript(bool mayRun) {
   laser = false;
   beams.clear();
   decals.clear();
-  ++ticks;
+  if (room->time().isWhole()) ++ticks;
   const std::int64_t cost = mayRun ? callScript("tick") : 0;
   for (ScriptButton& button : buttons) button.justPressed = false;
   return cost;

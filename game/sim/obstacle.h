@@ -140,6 +140,8 @@ struct Obstacle {
   bool paints = false;                       // has asked for one before: they are demanded once
   bool muted = false;                        // while its source is loaded again by a restore
 
+  /// Since it came alive. [ticks of the game's time]
+  float age() const;
   /// From the obstacle's frame to its room's local frame of now.
   Transform pose() const;
   ScriptBody* bodyAt(int index) {

@@ -134,8 +134,8 @@ void getBeat(script::Call& call, Obstacle& obstacle) {
   const float ease = clampTo(call.real(1, 0.3f), 0.01f, 1.0f);
   if (call.failed()) return;
   // Of the music, which begins with the room: negative before the camera is in it.
-  const std::int32_t ticks = obstacle.room->viewpoint().ticks;
-  const float beats = static_cast<float>(ticks) / rules::kBeatTicks;
+  const Viewpoint& viewpoint = obstacle.room->viewpoint();
+  const float beats = (static_cast<float>(viewpoint.ticks) + viewpoint.tickPart) / rules::kBeatTicks;
   const float whole = std::floor(beats);
   const float ramp = clampTo((beats - whole) / ease, 0.0f, 1.0f);
   call.result(whole - 1.0f + ramp * ramp * (3.0f - 2.0f * ramp));
@@ -219,11 +219,9 @@ void addParameterCalls(script::Library& library) {
 }
 
 void addTimeCalls(script::Library& library) {
-  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) {
-    call.result(static_cast<float>(o.room->ticks()) * rules::kTickSeconds);
-  });
+  addCall(library, "mgTime", [](script::Call& call, Obstacle& o) { call.result(o.room->age() * rules::kTickSeconds); });
   addCall(library, "mgObstacleTime",
-          [](script::Call& call, Obstacle& o) { call.result(static_cast<float>(o.ticks) * rules::kTickSeconds); });
+          [](script::Call& call, Obstacle& o) { call.result(o.age() * rules::kTickSeconds); });
   addCall(library, "mgGetBeat", getBeat);
 }
 

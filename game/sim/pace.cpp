@@ -25,21 +25,24 @@ void Pace::enterRoom(float length) {
   ticks_ = 0;
 }
 
-void Pace::tick() {
+void Pace::tick(const TimeStep& time) {
   const std::int64_t before = place();
   const std::int64_t left = rules::kRoomTicks - ticks_;
+  const std::int64_t way = (length_ - glide_) * time.share;
+  glide_ += way / (clampTo<std::int64_t>(left, 1, rules::kPaceShift) * kWholeTick);
+  part_ = time.partAfter();
+  if (time.isWhole()) ++ticks_;
   // The last tick takes what is left of the difference: the camera stands in the door to the bit, and the next room
-  // begins at 0.
-  glide_ += (length_ - glide_) / clampTo<std::int64_t>(left, 1, rules::kPaceShift);
-  ++ticks_;
-  step_ = place() - before;
+  // begins at 0; in slow motion it stands beyond by less than a tick's way, as it does in the next room.
+  if (atDoor()) glide_ = length_;
+  step_ = (place() - before) * kWholeTick / time.share;
 }
 
 bool Pace::isValid() const {
   constexpr std::int64_t shortest = std::int64_t{8} << 16, longest = std::int64_t{4000} << 16;
   constexpr std::int64_t farthest = longest * rules::kRoomTicks * 2;
   return length_ >= shortest && length_ <= longest && glide_ >= shortest && glide_ <= longest && step_ >= -farthest &&
-         step_ <= farthest && ticks_ >= 0 && ticks_ <= 2 * rules::kRoomTicks;
+         step_ <= farthest && ticks_ >= 0 && ticks_ <= 2 * rules::kRoomTicks && part_ >= 0 && part_ < kWholeTick;
 }
 
 bool Pace::atDoor() const {

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "game/sim/slow_motion.h"
+
 namespace brittle::sim {
 
 class Pace {
@@ -15,15 +17,16 @@ class Pace {
   void startBefore(float length);
   /// The room after the door; the speed glides. Only at the door.
   void enterRoom(float length);
-  /// At the door at most until enterRoom.
-  void tick();
+  /// At the door at most until enterRoom. A part of a tick goes that part of the way.
+  void tick(const TimeStep& time = {});
 
   /// Of the camera from the room's start [m].
   float distance() const;
   float roomLength() const;  // [m], a multiple of 2^-8
-  float speed() const;       // of the last tick [m/s]
-  /// Ticks since the room was entered: the clock that music and beats follow.
+  float speed() const;       // of the last tick, in the game's time [m/s]
+  /// Ticks of the game's time since the room was entered: the clock that music and beats follow.
   std::int32_t ticks() const { return ticks_; }
+  float tickPart() const { return static_cast<float>(part_) / kWholeTick; }  // and this of a tick more
   bool atDoor() const;
   /// Whether all of it is what ticking can lead to, within a margin: what bytes from a file must hold.
   bool isValid() const;
@@ -36,17 +39,23 @@ class Pace {
     a(length_);
     a(glide_);
     a(step_);
-    a(ticks_);
+    std::int32_t packed = ticks_ | part_ << kPartShift;  // without slow motion: ticks_
+    a(packed);
+    ticks_ = packed & ((1 << kPartShift) - 1);
+    part_ = packed >> kPartShift;
   }
 
  private:
+  static constexpr int kPartShift = 16;
   static std::int64_t toUnits(float length);
-  std::int64_t place() const { return glide_ * ticks_; }  // [2^-16 / 1920 m]
+  /// [2^-16 / 1920 m]
+  std::int64_t place() const { return glide_ * (std::int64_t{ticks_} * kWholeTick + part_) / kWholeTick; }
 
   std::int64_t length_ = 0;  // [2^-16 m]
   std::int64_t glide_ = 0;   // smoothed length [2^-16 m]
-  std::int64_t step_ = 0;    // way of the last tick [2^-16 / 1920 m]
+  std::int64_t step_ = 0;    // way of the last tick, were it a whole one [2^-16 / 1920 m]
   std::int32_t ticks_ = 0;
+  std::int32_t part_ = 0;  // of a tick [256ths of a tick]
 };
 
 /// The nearest length the rules allow: a multiple of 2^-8 in [8, 4000]. [m]

@@ -2,6 +2,7 @@
 
 #include "engine/core/profile.h"
 #include "engine/core/random.h"
+#include "engine/effects/built.h"
 #include "engine/geometry/make.h"
 #include "game/sim/level.h"
 #include "game/sim/pace.h"
@@ -30,7 +31,8 @@ Room::Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::
       globalsBefore_(session.globals),
       plan_(planRoom(session, entry_, seed_, session.globals)),
       world_(std::make_unique<physics::World>(worldDef(session, seed_, plan_.settings.gravity))),
-      built_(plan_.segments.size()) {
+      built_(plan_.segments.size()),
+      pickups_(plan_.pickups.size()) {
   for (const ObstacleDef& def : plan_.obstacles) {
     auto obstacle = std::make_unique<Obstacle>();
     obstacle->def = &def;
@@ -41,22 +43,28 @@ Room::Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::
   }
 }
 
-void Room::tick(float distance, float speed, std::int32_t ticks) {
+void Room::tick(float distance, float speed, std::int32_t ticks, const TimeStep& time, float tickPart) {
   BR_ZONE("room");
+  time_ = time;
   updateShift(distance);
   viewpoint_.position = Vec3(0.0f, rules::kCameraHeight, shift_ - distance);
   viewpoint_.speed = speed;
   viewpoint_.ticks = ticks;
+  viewpoint_.tickPart = tickPart;
   shake_ = shake_ > 0.01f ? shake_ * 0.92f : 0.0f;
   buildSegments(distance);
   startObstacles(distance);
+  startPickups(distance);
   runScripts(&Obstacle::tickScript);
-  world_->step(rules::kTickSeconds);
+  world_->step(time.seconds());
   readEvents();
+  collectPickups();
+  if constexpr (effects::isBuilt(effects::Effect::Explosions))
+    if (plan_.effects.runs(effects::Effect::Explosions)) explodeBalls();
   removeBehind();
   thinOut();
   runScripts(&Obstacle::drawScript);
-  ++ticks_;
+  if (time.isWhole()) ++ticks_;
 }
 
 void Room::updateShift(float distance) {
@@ -110,8 +118,11 @@ void Room::startObstacles(float distance) {
   }
 }
 
-void Room::throwBalls(const Camera& camera, const replay::Throw& aim, int count) {
-  for (const BallStart& start : sim::throwBalls(camera, aim, count, rules::kGravity * plan_.settings.gravity)) {
+void Room::throwBalls(const Camera& camera, const replay::Throw& aim, int count, Charge charge) {
+  int number = 0;
+  for (BallStart start : sim::throwBalls(camera, aim, count, rules::kGravity * plan_.settings.gravity)) {
+    if (charge != Charge::Barrel || number == count / 2) start.charge = charge;
+    ++number;
     addBall(start);
     Event event;
     event.type = EventType::Throw;
@@ -124,7 +135,8 @@ void Room::throwBalls(const Camera& camera, const replay::Throw& aim, int count)
 }
 
 void Room::addBall(const BallStart& start) {
-  const std::uint32_t number = nextBall_++;
+  const std::uint32_t number = nextBall_++ | static_cast<std::uint32_t>(start.charge) << kChargeShift;
+  if (start.charge != Charge::None) demandFor(PowerUp::NitroBalls);
   balls_.push_back({makeBall(*world_, start, number), number});
 }
 
@@ -138,7 +150,7 @@ std::vector<BallStart> Room::takeLeavingBalls() {
       staying.push_back(ball);
       continue;
     }
-    leaving.push_back({Vec3(body.center - Vec3(0.0f, 0.0f, shift_ - length)), body.velocity});
+    leaving.push_back({Vec3(body.center - Vec3(0.0f, 0.0f, shift_ - length)), body.velocity, ball.charge()});
     world_->destroyBody(ball.body);
   }
   balls_ = staying;

@@ -26,9 +26,10 @@ class Room {
   Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::uint32_t slot);
 
   /// One tick with the camera `distance` [m] from the room's start (negative: before it), moving at `speed` [m/s],
-  /// `ticks` after it entered the room.
-  void tick(float distance, float speed, std::int32_t ticks);
-  void throwBalls(const Camera& camera, const replay::Throw& aim, int count);
+  /// `ticks` and `tickPart` of one after it entered the room. All in the game's time, of which `time` passes.
+  void tick(float distance, float speed, std::int32_t ticks, const TimeStep& time = {}, float tickPart = 0.0f);
+  /// All balls get the charge, or of a barrel the middle one.
+  void throwBalls(const Camera& camera, const replay::Throw& aim, int count, Charge charge = Charge::None);
   /// Balls that have left through the end of the room, taken out of it; in the frame of the next room.
   std::vector<BallStart> takeLeavingBalls();
   void addBall(const BallStart& start);
@@ -43,6 +44,10 @@ class Room {
   float shift() const { return shift_; }
   float gravity() const { return plan_.settings.gravity; }
   std::uint32_t ticks() const { return ticks_; }
+  /// What passes in this tick.
+  const TimeStep& time() const { return time_; }
+  /// That there has been a room. [ticks of the game's time]
+  float age() const { return static_cast<float>(ticks_) + static_cast<float>(time_.part) / kWholeTick; }
   std::uint64_t seed() const { return seed_; }
   Result<std::string> readScript(const std::string& path);
   /// Whether the obstacles that are alive may make another body, or shape.
@@ -61,6 +66,8 @@ class Room {
   }
   /// Demanded, compiled in and not switched off.
   bool runs(effects::Effect effect) const { return plan_.effects.runs(effect); }
+  /// For power-ups that were collected in another room: once.
+  void demandFor(PowerUp kind);
   void shakeCamera(float strength) { shake_ = maxOf(shake_, strength); }
 
   // Looking.
@@ -96,6 +103,16 @@ class Room {
     }
   };
 
+  struct Pickup {
+    Stage stage = Stage::Waiting;
+    physics::BodyHandle body;
+    template <class Archive>
+    void serialize(Archive& a) {
+      a(stage);
+      a(body);
+    }
+  };
+
   /// One of two that met.
   struct Party {
     Look look = Look::Static;
@@ -115,6 +132,18 @@ class Room {
   static void retire(Obstacle& obstacle);
   void readEvents();
   void breakByCamera(physics::BodyHandle handle, const Vec3& point);
+  void startPickups(float distance);
+  void startPickup(std::size_t index);
+  void collectPickups();
+  bool isHit(const Vec3& place) const;
+  void lookAtPickups(std::vector<Sight>& sights) const;
+  void copyPickups(RoomView& view) const;
+  bool hasOwnPickups() const;
+  // The module of explosions.
+  void explodeBalls();
+  void touch(physics::BodyHandle ball, const Vec3& point, const Vec3& back);
+  Vec3 centerOfBlast(const Vec3& touched, const Vec3& back, float standOff) const;
+  void explode(const Vec3& center, Charge charge);
   void readBreak(const physics::BreakEvent& broken);
   void readHit(const physics::HitEvent& hit);
   void pressButton(physics::BodyHandle handle);
@@ -147,11 +176,14 @@ class Room {
   std::uint32_t ticks_ = 0;
   float shift_ = 0.0f;  // [m], a multiple of rules::kShiftEvery
   float shake_ = 0.0f;
+  TimeStep time_;  // made anew every tick
   Viewpoint viewpoint_;
   std::vector<BuiltSegment> built_;
   std::vector<std::unique_ptr<Obstacle>> obstacles_;
+  std::vector<Pickup> pickups_;  // of each in the plan
   std::vector<Ball> balls_;
   std::uint32_t nextBall_ = 1;
+  std::vector<Vec3> ballsBefore_;  // where pickups wait: before the step; made anew every tick
 
   Vec3 frameOffset_ = Vec3::Zero();
 };

@@ -42,13 +42,20 @@ struct RoomSettings {
   float difficulty = 0.5f;
 };
 
+/// A power-up that waits at its place.
+struct PlannedPickup {
+  PowerUp kind = PowerUp::BallFrenzy;
+  Vec3 position = Vec3::Zero();  // room frame [m]
+};
+
 struct RoomPlan {
   RoomSettings settings;
   std::vector<PlannedSegment> segments;
   std::uint32_t boxes = 0;  // and decals, of all of them
   Crowd crowd;
   std::deque<ObstacleDef> obstacles;  // addresses stay
-  effects::EffectSet effects;         // what its script demands
+  std::vector<PlannedPickup> pickups;
+  effects::EffectSet effects;  // what its script demands
 };
 
 /// One room of a level as its file names it; `attributes` are readable from the script.
@@ -73,6 +80,11 @@ void placeBox(Session& session, const LookBox& box, bool isSolid, const std::str
 
 /// Appends an obstacle; false, and reported once, if the room is full of them.
 bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan);
+
+/// Appends a power-up, named as in level files, that is asked for at `where`, with the effect it needs. One that does
+/// not exist, or whose effect is not compiled in, is reported and left out.
+void placePowerUp(Session& session, const std::string& type, const Vec3& position, const std::string& where,
+                  RoomPlan& plan);
 
 /// The community's "stone": a box that is seen and does not collide. Three of four obstacles are stones, so they cost
 /// no script.

@@ -116,6 +116,14 @@ void obstacle(script::Call& call, Builder& builder) {
   placeObstacle(builder.session, std::move(def), builder.plan);
 }
 
+void powerUp(script::Call& call, Builder& builder) {
+  const std::string type = call.string(1);
+  const Vec3 position = vectorAt(call, 2);
+  if (call.failed()) return;
+  if (!(position.cwiseAbs().maxCoeff() <= rules::kFarthest)) return call.fail("expected a place within 10000 m");
+  placePowerUp(builder.session, type, position, call.where(), builder.plan);
+}
+
 void box(script::Call& call, Builder& builder) {
   const Vec3 half = vectorAt(call, 1);
   const Vec3 center = vectorAt(call, 4);
@@ -298,10 +306,7 @@ void addLayoutCalls(script::Library& library) {
     const int tile = call.integer(1);
     if (!call.failed()) builder.boxTile = clampTo(tile, 0, 63);
   });
-  add(library, "mgPowerUp", [](script::Call& call, Builder& builder) {
-    const std::string type = call.string(1);
-    if (!call.failed()) builder.session.reportMissing("power-up " + type, call.where(), "there is none");
-  });
+  add(library, "mgPowerUp", powerUp);
 }
 
 void addMoodCalls(script::Library& library) {

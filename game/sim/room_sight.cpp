@@ -47,6 +47,20 @@ void Room::look(std::vector<Sight>& sights) const {
     return a.id == b.id && a.kind == b.kind && a.kind != SightKind::Button;
   };
   sights.erase(std::unique(sights.begin() + static_cast<std::ptrdiff_t>(first), sights.end(), isSame), sights.end());
+  lookAtPickups(sights);
+}
+
+void Room::lookAtPickups(std::vector<Sight>& sights) const {
+  for (std::size_t i = 0; i < pickups_.size(); ++i) {
+    if (pickups_[i].stage != Stage::Alive || !world_->isAlive(pickups_[i].body)) continue;
+    Sight sight;
+    sight.kind = SightKind::PowerUp;
+    sight.id = (number_ << 32) + (std::uint64_t{1} << 31) + i;
+    sight.type = nameOf(plan_.pickups[i].kind);
+    sight.center = sight.position = ahead(world_->body(pickups_[i].body).center - viewpoint_.position);
+    sight.clear = isInSight(sight.position, 0);
+    if (isInPicture(sight.position)) sights.push_back(sight);
+  }
 }
 
 bool Room::seeAs(const Obstacle& obstacle, physics::BodyHandle handle, Sight& sight) const {

@@ -13,6 +13,7 @@ void Room::serialize(Archive& a) {
   a(viewpoint_.ticks);
   for (BuiltSegment& segment : built_) a(segment);
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) a(*obstacle);
+  for (Pickup& pickup : pickups_) a(pickup);
   a.vector(balls_);
   a(nextBall_);
   std::uint32_t demanded = plan_.effects.demanded().bits();
@@ -53,6 +54,7 @@ bool Room::restore(ByteReader& in) {
 
 /// What damaged bytes could break beside the world: what is reached without asking whether it is there.
 bool Room::isConsistent() const {
+  if (!hasOwnPickups()) return false;
   for (const Ball& ball : balls_)
     if (!world_->isAlive(ball.body)) return false;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
@@ -87,13 +89,16 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   });
   for (const Ball& ball : balls_) {
     const Transform& pose = world_->body(ball.body).pose;
-    balls.push_back(
-        {ball.number + (slot_ << 30), {Vec3(pose.position + frameOffset_), pose.rotation}, rules::kBallRadius});
+    balls.push_back({ball.number + (slot_ << 30),
+                     {Vec3(pose.position + frameOffset_), pose.rotation},
+                     rules::kBallRadius,
+                     ball.charge()});
   }
   view.crumbs.clear();
   for (const physics::Crumb& crumb : world_->debris().crumbs)
     view.crumbs.push_back({Vec3(crumb.position + frameOffset_), crumb.radius, crumb.color});
   copyRopes(view);
+  copyPickups(view);
 }
 
 void Room::copySegments(RoomView& view) const {

@@ -9,9 +9,9 @@ int Score::ballsPerThrow() const {
   return minOf(rules::kMaxVolley, streak / rules::kStreakPerBall + 1);
 }
 
-bool Score::spendThrow() {
+bool Score::spendThrow(bool isFree) {
   if (over) return false;
-  if (free) return true;
+  if (free || isFree) return true;
   if (balls <= 0) return false;
   --balls;
   return true;
@@ -34,11 +34,11 @@ int Score::crash() {
   return cost;
 }
 
-void Score::tick() {
+void Score::tick(bool throwsAreFree) {
   if (pain > 0) --pain;
   if (crashPause > 0) --crashPause;
   // A ball that was thrown last may still win some back.
-  outTicks = !free && balls <= 0 ? outTicks + 1 : 0;
+  outTicks = !free && !throwsAreFree && balls <= 0 ? outTicks + 1 : 0;
   if (outTicks > rules::kLastBallTicks) over = true;
 }
 

@@ -20,16 +20,16 @@ struct Score {
   bool over = false;
 
   int ballsPerThrow() const;
-  /// False if there is none left. A throw costs one whatever the number of balls in it.
-  bool spendThrow();
+  /// False if there is none left. A throw costs one whatever the number of balls in it, and nothing if it `isFree`.
+  bool spendThrow(bool isFree = false);
   void winCrystal(int value, int cap);
   void missCrystal() { streak = 0; }
   /// Whether the camera may crash now.
   bool canCrash() const { return crashPause == 0; }
   /// Returns the balls it cost. Without any left the game is over.
   int crash();
-  /// Once per tick, at its end.
-  void tick();
+  /// Once per tick, at its end. Who has no ball left is not out while throws are free.
+  void tick(bool throwsAreFree = false);
 
   template <class Archive>
   void serialize(Archive& a) {

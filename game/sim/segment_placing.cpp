@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/core/hash.h"
+#include "engine/effects/built.h"
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
 
@@ -167,7 +168,30 @@ bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan) {
   return isPlaced || refuse(session, "obstacles", rules::kMaxObstaclesPerRoom, "in a room", where);
 }
 
+void placePowerUp(Session& session, const std::string& type, const Vec3& position, const std::string& where,
+                  RoomPlan& plan) {
+  const std::optional<PowerUp> kind = powerUpNamed(type);
+  if (!kind) return session.reportMissing("power-up " + type, where, "there is none");
+  const std::optional<effects::Effect> effect = effectOf(*kind);
+  if (effect && !effects::isBuilt(*effect))
+    return session.reportMissing("power-up " + type, where,
+                                 std::string("this program is built without its effect, ") + effects::nameOf(*effect));
+  if (plan.pickups.size() >= rules::kMaxPickupsPerRoom) {
+    refuse(session, "power-ups", rules::kMaxPickupsPerRoom, "in a room", where);
+    return;
+  }
+  plan.pickups.push_back({*kind, position});
+  if (effect) plan.effects.demand(*effect, where);
+}
+
 namespace {
+
+void placePowerUps(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  for (const content::PowerUp& powerUp : segment.powerUps)
+    if (!powerUp.hidden)
+      placePowerUp(session, powerUp.type, powerUp.position - Vec3(0.0f, 0.0f, start),
+                   segment.file + ":" + std::to_string(powerUp.line), plan);
+}
 
 void placeObstacles(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
   for (const content::Obstacle& obstacle : segment.obstacles) {
@@ -208,9 +232,7 @@ float placeSegment(Session& session, const std::string& name, float start, const
   const std::shared_ptr<const content::Segment> segment = *found;
   placeBoxes(session, name, *segment, start, where, plan);
   placeObstacles(session, *segment, start, plan);
-  for (const content::PowerUp& powerUp : segment->powerUps)
-    session.reportMissing("power-up " + powerUp.type, segment->file + ":" + std::to_string(powerUp.line),
-                          "there is none");
+  placePowerUps(session, *segment, start, plan);
   if (!segment->waters.empty()) session.report(segment->file + ": water is not supported");
   return segment->size.z();
 }

@@ -12,7 +12,9 @@
 #include "game/sim/content_reader.h"
 #include "game/sim/event.h"
 #include "game/sim/game.h"
+#include "game/sim/power_up.h"
 #include "game/sim/score.h"
+#include "game/sim/slow_motion.h"
 
 namespace brittle::sim {
 
@@ -21,6 +23,7 @@ struct Viewpoint {
   Vec3 position = Vec3(0.0f, rules::kCameraHeight, 0.0f);  // [m]
   float speed = 0.0f;                                      // along -Z [m/s]
   std::int32_t ticks = 0;                                  // since it entered the room, negative before
+  float tickPart = 0.0f;                                   // and this of a tick more; made anew every tick
 };
 
 struct Session {
@@ -31,6 +34,9 @@ struct Session {
   ContentReader files;
   GameDef def;
   Score score;
+  Inventory inventory;
+  Clock clock;
+  std::uint32_t explosions = 0;  // since the start
   std::uint64_t tick = 0;
   std::vector<Event> events;      // of this tick
   std::vector<Problem> problems;  // each text once

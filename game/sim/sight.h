@@ -12,14 +12,15 @@ namespace brittle::sim {
 enum class SightKind : std::uint8_t {
   Crystal,  // one to win
   Threat,   // something of an obstacle on the camera's way, or near it
-  Button    // not pressed yet
+  Button,   // not pressed yet
+  PowerUp   // to collect
 };
 
 /// Axes as the camera stands without roll: X right, Y up, Z ahead (positive).
 struct Sight {
   SightKind kind = SightKind::Crystal;
   std::uint64_t id = 0;  // of the obstacle, unique in a game
-  std::string type;      // of the obstacle
+  std::string type;      // of the obstacle, or which power-up
   Vec3 position =
       Vec3::Zero();            // from the camera, what to aim at; of a threat its point nearest to the camera's way [m]
   Vec3 center = Vec3::Zero();  // of the thing [m]

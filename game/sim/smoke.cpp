@@ -154,6 +154,19 @@ void addExpectations(script::Library& library) {
             problems.empty() ? "none" : smokeText(found) + " (" + problems.front().text + ")",
             "at most " + smokeText(most));
   });
+  addSmokeCall(library, "expect_explosions", [](script::Call& call, Smoke& s) {
+    expectRange(call, s, "expect_explosions", [](const Game& g) { return static_cast<double>(g.totalExplosions()); });
+  });
+  addSmokeCall(library, "expect_power_ups", [](script::Call& call, Smoke& s) {
+    const std::string name = call.string(1);
+    const double wanted = call.number(2);
+    Game* game = call.failed() ? nullptr : s.game(call);
+    if (game == nullptr) return;
+    double found = 0.0;
+    for (const PowerUpView& held : game->hud().powerUps)
+      if (name == nameOf(held.kind)) found = held.count;
+    s.check(call, "expect_power_ups", found == wanted, smokeText(found) + " " + name, smokeText(wanted));
+  });
   addSmokeCall(library, "expect_finite", [](script::Call& call, Smoke& s) {
     Game* game = s.game(call);
     if (game == nullptr) return;

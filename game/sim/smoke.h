@@ -20,17 +20,22 @@
 //   expect_speed{v=V, within=W}       camera speed [m/s]
 //   expect_room(n)                    number of rooms passed
 //   expect_problems(max)              content problems so far
+//   expect_power_ups(KIND, n)         of that kind in the inventory, not yet used
+//   expect_explosions(min[, max])     so far
 //   expect_finite()                   no body was quarantined for a number that is not finite
 // What a scripted player sees (assets/player.lua):
 //   tick() balls() streak() balls_per_throw() room_number() phase()
 //   speed()                           of the camera [m/s]
 //   gravity()                         of the room [m/s2]
 //   look()                            how many things are in sight now, nearest first
-//   seen(I)                           of thing I (from 1): "crystal", "threat" or "button"; x, y, ahead of the camera
-//   [m]; velocity
+//   seen(I)                           of thing I (from 1): "crystal", "threat", "button" or "power-up"; x, y, ahead of
+//   the camera [m]; velocity
 //                                     x, y, ahead [m/s]; a number that stays its own; whether the line to it is clear;
 //                                     how far aside of the camera's way [m]; whether a ball can move or break it; its
 //                                     obstacle's type; x of its centre
+//   power_ups(KIND)                   how many there are to use; of one that runs what is left of it, 1 to 0
+//   use(KIND)                         uses one in the next tick
+//   time_share()                      of a tick that passes of the game's time; less than 1 in slow motion
 //   setting(NAME, DEFAULT)            a text given from outside (--set NAME=TEXT)
 #pragma once
 

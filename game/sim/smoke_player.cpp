@@ -1,4 +1,6 @@
 // The calls of smoke scripts that play by what is seen.
+#include <optional>
+
 #include "engine/script/call.h"
 #include "game/sim/constants.h"
 #include "game/sim/smoke_state.h"
@@ -24,6 +26,7 @@ void look(script::Call& call, Smoke& smoke) {
 
 const char* nameOf(SightKind kind) {
   if (kind == SightKind::Crystal) return "crystal";
+  if (kind == SightKind::PowerUp) return "power-up";
   return kind == SightKind::Threat ? "threat" : "button";
 }
 
@@ -42,6 +45,35 @@ void seen(script::Call& call, Smoke& smoke) {
   call.result(sight.gives);
   call.result(sight.type);
   call.result(sight.center.x());
+}
+
+/// Of the kind that argument 1 names; null, with the call failed, if it names none.
+const PowerUpView* heldAt(script::Call& call, Smoke& smoke) {
+  static const PowerUpView none;
+  const std::string name = call.string(1);
+  if (call.failed()) return nullptr;
+  const std::optional<PowerUp> kind = powerUpNamed(name);
+  if (!kind) call.fail("power-up " + name + ": expected ballfrenzy, slowmotion, nitroballs or barrel");
+  const Game* game = call.failed() ? nullptr : smoke.game(call);
+  if (game == nullptr) return nullptr;
+  for (const PowerUpView& held : game->hud().powerUps)
+    if (held.kind == *kind) return &held;
+  return &none;
+}
+
+void powerUps(script::Call& call, Smoke& smoke) {
+  const PowerUpView* held = heldAt(call, smoke);
+  if (held == nullptr) return;
+  call.result(held->count);
+  call.result(held->left);
+}
+
+void use(script::Call& call, Smoke& smoke) {
+  const PowerUpView* held = heldAt(call, smoke);
+  if (held == nullptr) return;
+  if (held->count == 0) return call.fail("there is none to use");
+  const std::vector<PowerUpView>& all = smoke.game(call)->hud().powerUps;
+  smoke.useAt(smoke.game(call)->tickCount(), static_cast<int>(held - all.data()));
 }
 
 void setting(script::Call& call, Smoke& smoke) {
@@ -63,9 +95,12 @@ void addPlayerCalls(script::Library& library) {
   addFact<int>(library, "room_number", [](const Game& g) { return static_cast<int>(g.hud().room); });
   addFact<float>(library, "speed", [](const Game& g) { return g.camera().velocity.norm(); });
   addFact<float>(library, "gravity", [](const Game& g) { return g.gravity(); });
+  addFact<float>(library, "time_share", [](const Game& g) { return g.timeShare(); });
   addFact<const char*>(library, "phase", [](const Game& g) { return nameOf(g.hud().phase); });
   addSmokeCall(library, "look", look);
   addSmokeCall(library, "seen", seen);
+  addSmokeCall(library, "power_ups", powerUps);
+  addSmokeCall(library, "use", use);
   addSmokeCall(library, "setting", setting);
 }
 

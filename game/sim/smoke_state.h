@@ -2,6 +2,7 @@
 // that define the script's functions; see smoke.h.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,11 +42,14 @@ class Smoke {
     throws_[tick].push_back(aim);
     return true;
   }
+  void useAt(std::uint64_t tick, int place) { buttons_[tick] |= replay::useBit(place); }
   bool isCalledOff() const { return settings.isCalledOff && settings.isCalledOff(); }
   void run(Game& game, std::uint64_t until) {
     while (game.tickCount() < until && !isCalledOff()) {
       replay::InputFrame frame;
       if (game.tickCount() < throws_.size()) frame.throws = throws_[game.tickCount()];
+      if (const auto pressed = buttons_.find(game.tickCount()); pressed != buttons_.end())
+        frame.buttons = pressed->second;
       result.inputs.push_back(frame);
       game.tick(frame);
     }
@@ -82,6 +86,7 @@ class Smoke {
   const content::AssetSource& assets_;
   std::unique_ptr<Game> game_;
   std::vector<std::vector<replay::Throw>> throws_;
+  std::map<std::uint64_t, std::uint8_t> buttons_;  // by tick
 };
 
 std::string smokeText(double value);

@@ -30,12 +30,12 @@ std::unique_ptr<Room> Track::makeRoom(std::uint64_t number) {
   return std::make_unique<Room>(session_, entries_[index], number, static_cast<std::uint32_t>(number & 1));
 }
 
-void Track::tick(const replay::InputFrame& input, bool isMoving) {
+void Track::tick(const replay::InputFrame& input, bool isMoving, const TimeStep& time) {
   isMoving_ = isMoving;
-  if (isMoving) pace_.tick();
+  if (isMoving) pace_.tick(time);
   makeNext();
   if (isMoving) throwBalls(input);
-  tickRooms();
+  tickRooms(time);
   moveBalls();
   if (!isMoving) return;
   current_->crashTest();
@@ -59,18 +59,27 @@ void Track::makeNext() {
 void Track::throwBalls(const replay::InputFrame& input) {
   int left = replay::kMaxThrows;
   for (const replay::Throw& aim : input.throws) {
-    if (left-- == 0 || !session_.score.spendThrow()) return;
-    current_->throwBalls(camera(), aim, session_.score.ballsPerThrow());
+    if (left-- == 0 || !session_.score.spendThrow(session_.inventory.runs(PowerUp::BallFrenzy))) return;
+    throwBall(aim);
   }
 }
 
-void Track::tickRooms() {
+/// A barrel goes with the first throw after it was used.
+void Track::throwBall(const replay::Throw& aim) {
+  Inventory& inventory = session_.inventory;
+  const bool hasBarrel = inventory.runs(PowerUp::Barrel);
+  const Charge otherwise = inventory.runs(PowerUp::NitroBalls) ? Charge::Nitro : Charge::None;
+  current_->throwBalls(camera(), aim, session_.score.ballsPerThrow(), hasBarrel ? Charge::Barrel : otherwise);
+  if (hasBarrel) inventory.finish(PowerUp::Barrel);
+}
+
+void Track::tickRooms(const TimeStep& time) {
   const float speed = isMoving_ ? pace_.speed() : 0.0f;
-  if (current_) current_->tick(pace_.distance(), speed, pace_.ticks());
+  if (current_) current_->tick(pace_.distance(), speed, pace_.ticks(), time, pace_.tickPart());
   if (!next_) return;
   const float shift = current_ ? current_->shift() : 0.0f;
   next_->setFrameOffset(Vec3(0.0f, 0.0f, shift - pace_.roomLength()));
-  next_->tick(pace_.distance() - pace_.roomLength(), speed, pace_.ticks() - rules::kRoomTicks);
+  next_->tick(pace_.distance() - pace_.roomLength(), speed, pace_.ticks() - rules::kRoomTicks, time, pace_.tickPart());
 }
 
 void Track::moveBalls() {

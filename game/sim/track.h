@@ -17,8 +17,8 @@ class Track {
   /// Enters the first room: it has been played, without the player, from where every room begins to be played.
   Track(Session& session, std::vector<RoomEntry> entries, std::uint32_t firstRoom, std::int64_t startOffset);
 
-  /// With `isMoving` false the camera stands, and nothing can be thrown.
-  void tick(const replay::InputFrame& input, bool isMoving);
+  /// With `isMoving` false the camera stands, and nothing can be thrown. `time` passes of the game's time.
+  void tick(const replay::InputFrame& input, bool isMoving, const TimeStep& time = {});
 
   Camera camera() const;
   const Pace& pace() const { return pace_; }
@@ -48,7 +48,8 @@ class Track {
 
  private:
   void makeNext();
-  void tickRooms();
+  void tickRooms(const TimeStep& time = {});
+  void throwBall(const replay::Throw& aim);
   void moveBalls();
   void enterNext();
   void passDoor();

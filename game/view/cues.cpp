@@ -19,6 +19,7 @@ constexpr float kUncovered = 0.85f;  // of the masking is left after a tick: hal
 constexpr float kCovers = 0.5f;      // what a sound adds to it, of its loudness
 constexpr float kCovered = 0.35f;    // sounds below this share of it are not heard
 constexpr float kRainSize = 0.2f;    // smaller things fall unheard [m]
+constexpr float kLargeBlast = 5.0f;  // of a reach beyond it [m]
 constexpr float kShardSize = 0.2f;   // larger pieces do not tinkle, they knock [m]
 
 /// From 0 at rest to 1 at `full`, rising quickly at first as loudness does. [m/s]
@@ -64,6 +65,7 @@ Sound knockOn(Look look, const Vec3& normal) {
       return Sound::OnWood;
     case Look::Glass:
     case Look::Crystal:
+    case Look::PowerUp:
       return Sound::OnGlass;
     case Look::Ball:
       return Sound::OnSteel;
@@ -125,6 +127,16 @@ void addScriptSound(const Event& event, const sim::FramePacket& packet, std::vec
   if (sound) cues.push_back(cueAt(event, packet.camera, *sound, 0.8f * event.size));
 }
 
+bool isSlowMotion(const Event& event) {
+  return event.value == static_cast<std::int32_t>(sim::PowerUp::SlowMotion);
+}
+
+/// A cracker where nothing bursts, a nitro ball among glass, a barrel.
+Sound blastOf(const Event& event) {
+  if (event.size > kLargeBlast) return Sound::BlastLarge;
+  return event.value > 0 ? Sound::BlastMedium : Sound::BlastSmall;
+}
+
 void addOther(const Event& event, const sim::FramePacket& packet, std::int32_t streakBefore, std::vector<Cue>& cues) {
   switch (event.type) {
     case EventType::Throw:
@@ -159,6 +171,18 @@ void addOther(const Event& event, const sim::FramePacket& packet, std::int32_t s
       break;
     case EventType::Sound:
       addScriptSound(event, packet, cues);
+      break;
+    case EventType::PowerUpCollected:
+      cues.push_back(signal(Sound::PowerUpTaken, 0.3f));
+      break;
+    case EventType::PowerUpUsed:
+      cues.push_back(signal(isSlowMotion(event) ? Sound::TimeSlows : Sound::PowerUpBegins, 0.35f));
+      break;
+    case EventType::PowerUpEnded:
+      cues.push_back(signal(isSlowMotion(event) ? Sound::TimeReturns : Sound::PowerUpEnds, 0.3f));
+      break;
+    case EventType::Explosion:
+      cues.push_back(cueAt(event, packet.camera, blastOf(event), 1.0f));
       break;
     default:
       break;

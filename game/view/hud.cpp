@@ -2,7 +2,9 @@
 
 #include <cstdio>
 
+#include "engine/effects/built.h"
 #include "game/view/hud_parts.h"
+#include "game/view/power_ups.h"
 
 namespace brittle::view {
 namespace hud {
@@ -97,6 +99,17 @@ void addProgress(const sim::Hud& hud, render::Frame& frame) {
   frame.texts.push_back(text);
 }
 
+/// A blast lights up the picture for an instant.
+void addGlare(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
+  float glare = 0.0f;
+  for (const Remembered& r : memory.events()) {
+    const float age = static_cast<float>(tick - static_cast<double>(r.tick)) + 0.5f;
+    if (r.event.type == sim::EventType::Explosion && age >= 0.0f)
+      glare = maxOf(glare, glareOf(r.event, age, (r.pointIn(packet.originZ) - packet.camera.position).norm()));
+  }
+  if (glare > 0.0f) frame.tint = Vec4(1.0f, 0.90f, 0.72f, 0.5f * glare);
+}
+
 void addPain(const sim::Hud& hud, render::Frame& frame) {
   const float pain = clampTo(hud.pain, 0.0f, 1.0f);
   frame.border = Vec4(0.85f, 0.08f, 0.06f, 0.85f * pain);
@@ -114,13 +127,16 @@ void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, f
       1.0f -
       minOf(memory.ageOf(sim::EventType::CrystalMissed, tick), memory.ageOf(sim::EventType::Crash, tick)) / kLostTicks;
   const float pulse = clampTo(1.0f - memory.ballsAge(tick) / kPulseTicks, 0.0f, 1.0f);
+  if constexpr (effects::isBuilt(effects::Effect::Explosions)) addGlare(packet, memory, tick, frame);
   addPain(hud, frame);
+  if (!hud.powerUps.empty()) addPowerUpBorder(hud, tick, frame);
   if (hud.phase == sim::Phase::Playing) {  // the end has its own signs for all of this
     if (hud.countsBalls) {
       addStreak(hud, clampTo(lost, 0.0f, 1.0f), frame);
       addBalls(hud, pulse * pulse, frame);
     }
     addProgress(hud, frame);
+    addPowerUpSigns(hud, memory, tick, frame);
   }
   if (hud.phase != sim::Phase::Title) addFlights(packet, memory, tick, aspect, frame);
   if (paused)

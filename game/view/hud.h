@@ -2,6 +2,8 @@
 // hints, what flies to and from the counter, the title and how it ended. Knows no rules.
 #pragma once
 
+#include <vector>
+
 #include "game/view/memory.h"
 
 namespace brittle::view {
@@ -9,6 +11,14 @@ namespace brittle::view {
 /// `tick` is the moment seen, which may lie between two ticks; `aspect` the picture's width over its height.
 void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame,
             bool paused = false);
+
+/// Where a touch uses a power-up instead of throwing. [pixels], y down
+struct TouchSpot {
+  float left = 0.0f, top = 0.0f, right = 0.0f, bottom = 0.0f;
+};
+
+/// Of each power-up's sign, in their places, on a picture of this size [pixels].
+std::vector<TouchSpot> powerUpSpots(const sim::Hud& hud, float width, float height);
 
 /// What a frame took, as means. [ms]
 struct Timings {

@@ -1,6 +1,7 @@
 // What flies to and from the ball counter: balls won rise from their crystal, balls lost in a crash fall out of it.
 #include "game/view/hud_parts.h"
 #include "game/view/noise.h"
+#include "game/view/power_ups.h"
 
 namespace brittle::view::hud {
 namespace {
@@ -36,6 +37,22 @@ void addWon(const Remembered& r, float age, const Vec3& point, float aspect, ren
       {at, height, render::HudAlign::Center, render::packRgba(kWarm, alpha), number("+%d", r.event.value)});
 }
 
+/// A disc of its colour, from the room to its sign.
+void addTaken(const Remembered& r, float age, const Vec3& point, const sim::Hud& hud, float aspect,
+              render::Frame& frame) {
+  if (age >= kTakenTicks) return;
+  const auto kind = static_cast<sim::PowerUp>(r.event.value);
+  render::HudPoint from = topCentre(0.0f, 0.4f);
+  project(frame.camera, point, aspect, from);
+  const render::HudPoint to = signOf(hud, kind);
+  const float way = softStep(4.0f, kTakenTicks, age), eased = way * way;
+  const render::HudPoint at{from.anchor + (to.anchor - from.anchor) * eased,
+                            from.offset + (to.offset - from.offset) * eased};
+  const float radius = 0.020f + 0.014f * (1.0f - way);
+  frame.arcs.push_back({at, 0.0f, 1.8f * radius, 0.0f, 1.0f, render::packRgba(colorOf(kind), 0.25f)});
+  frame.arcs.push_back({at, 0.0f, radius, 0.0f, 1.0f, render::packRgba(colorOf(kind), 0.95f)});
+}
+
 void addLost(const Remembered& r, float age, render::Frame& frame) {
   if (age >= kFallTicks || r.event.value <= 0) return;
   const float left = 1.0f - softStep(0.4f * kFallTicks, kFallTicks, age);
@@ -55,10 +72,12 @@ void addLost(const Remembered& r, float age, render::Frame& frame) {
 }  // namespace
 
 void addFlights(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame) {
-  if (!packet.hud.countsBalls) return;
   for (const Remembered& r : memory.events()) {
     const float age = static_cast<float>(tick - static_cast<double>(r.tick)) + 0.5f;
     if (age < 0.0f) continue;
+    if (r.event.type == sim::EventType::PowerUpCollected)
+      addTaken(r, age, r.pointIn(packet.originZ), packet.hud, aspect, frame);
+    if (!packet.hud.countsBalls) continue;
     if (r.event.type == sim::EventType::Crystal) addWon(r, age, r.pointIn(packet.originZ), aspect, frame);
     if (r.event.type == sim::EventType::Crash) addLost(r, age, frame);
   }

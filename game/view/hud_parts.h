@@ -33,10 +33,16 @@ void addBall(const render::HudPoint& at, float radius, float alpha, render::Fram
 void addSign(const render::HudPoint& at, float height, const render::Rgb& color, float alpha, std::string text,
              render::Frame& frame);
 
+inline constexpr float kTakenTicks = 34.0f;  // a power-up that was collected flies to its sign so long
+
 // The parts of addHud that have files of their own.
 void addScreens(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame);
 /// In place of the screens: play has stopped, and goes on at a touch.
 void addPause(render::Frame& frame);
+void addPowerUpSigns(const sim::Hud& hud, const Memory& memory, double tick, render::Frame& frame);
+void addPowerUpBorder(const sim::Hud& hud, double tick, render::Frame& frame);
+/// Where the sign of a kind is, or would be.
+render::HudPoint signOf(const sim::Hud& hud, sim::PowerUp kind);
 void addFlights(const sim::FramePacket& packet, const Memory& memory, double tick, float aspect, render::Frame& frame);
 
 }  // namespace brittle::view::hud

@@ -50,6 +50,8 @@ Hint hintOf(const sim::FramePacket& packet, const Memory& memory, double tick) {
   if (hud.distance > kSoon) return {};
   if (age(sim::EventType::Crash) < kHintTicks)
     return {"BREAK WHAT IS IN YOUR WAY", shown(age(sim::EventType::Crash), kHintTicks)};
+  if (age(sim::EventType::PowerUpCollected) < kHintTicks && !hud.powerUps.empty() && !hud.powerUps.front().runs)
+    return {"TAP ITS SIGN TO USE IT", shown(age(sim::EventType::PowerUpCollected), kHintTicks)};
   if (age(sim::EventType::Multiball) < kHintTicks && hud.ballsPerThrow > 1)
     return {number("%d BALLS WITH EVERY THROW", hud.ballsPerThrow), shown(age(sim::EventType::Multiball), kHintTicks)};
   if (hud.countsBalls && hud.balls <= 5 && memory.ballsChange() < 0 && memory.ballsAge(tick) < kHintTicks)

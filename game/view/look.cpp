@@ -42,7 +42,7 @@ void addContinuation(const render::BakeBox& box, float length, std::vector<rende
 
 std::vector<render::Material> materials() {
   using enum sim::Look;
-  std::vector<render::Material> table(static_cast<std::size_t>(Door) + 1);
+  std::vector<render::Material> table(static_cast<std::size_t>(PowerUp) + 1);
   const auto of = [&table](sim::Look look) -> render::Material& { return table[static_cast<std::size_t>(look)]; };
   of(Static) = {.color = {0.80f, 0.82f, 0.84f}, .gloss = 0.2f};
   of(Glass) = {
@@ -52,6 +52,7 @@ std::vector<render::Material> materials() {
   of(Stone) = {.color = {0.72f, 0.72f, 0.74f}, .gloss = 0.15f};
   of(Crystal) = {.look = render::Look::Glass, .gloss = 1.0f, .clarity = 0.5f, .edge = 1.0f};
   of(Ball) = {.color = {0.86f, 0.87f, 0.90f}, .metalness = 1.0f, .gloss = 0.9f};
+  of(PowerUp) = {.look = render::Look::Glass, .gloss = 1.0f, .clarity = 0.25f, .edge = 1.0f};
   of(Door) = {.color = {0.90f, 0.92f, 0.96f}, .metalness = 0.6f, .gloss = 0.45f};
   return table;
 }

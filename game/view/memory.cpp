@@ -15,7 +15,7 @@ void Memory::tick(const sim::FramePacket& packet) {
   while (!events_.empty() && events_.front().tick + kMemoryTicks <= packet.tick) events_.pop_front();
   for (const sim::Event& event : packet.events) {
     if (event.type == sim::EventType::RoomEntered) fogBefore_ = fog_;
-    events_.push_back({event, packet.tick, static_cast<double>(event.point.z()) + packet.originZ});
+    events_.push_back({event, packet.tick, static_cast<double>(event.point.z()) + packet.originZ, packet.time});
   }
   fog_ = fogOf(packet);
   if (knowsBalls_ && packet.hud.balls != balls_) {

@@ -20,6 +20,7 @@ struct Remembered {
   sim::Event event;
   std::uint64_t tick = 0;
   double placeZ = 0.0;  // [m]
+  double time = 0.0;    // of the game [ticks]
 
   /// In the frame of a packet with this origin.
   Vec3 pointIn(double originZ) const {

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "engine/effects/built.h"
 #include "game/view/noise.h"
+#include "game/view/power_ups.h"
 
 namespace brittle::view {
 namespace {
@@ -141,24 +143,44 @@ void addSmoke(Emitter emitter) {
   emitter.puffs({0.80f, 0.82f, 0.85f}, 1, 0.25f, 0.15f);
 }
 
+/// A power-up that a ball has hit.
+void addTaken(const sim::Event& event, Emitter emitter) {
+  const Rgb color = colorOf(static_cast<sim::PowerUp>(event.value));
+  emitter.flash(color, 1.1f);
+  emitter.sparks(color, 18, 6, 1.5f);
+}
+
 void addGlow(const Vec3& point, render::Frame& frame) {
   frame.glows.push_back({point, 0.35f, packRgba({1.0f, 0.93f, 0.78f}, 0.7f)});
 }
 
+/// In the game's time, but no slower than that it is gone when it is forgotten. [ticks]
+float ageOf(const Remembered& r, double tick, double time, float life) {
+  const float seen = static_cast<float>(tick - static_cast<double>(r.tick)) + 0.5f;
+  const float own = static_cast<float>(time - r.time) + 0.5f;
+  return maxOf(own, seen * life / static_cast<float>(kMemoryTicks));
+}
+
 }  // namespace
 
-void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
+void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time,
+                  render::Frame& frame) {
   std::uint64_t sameTick = 0, lastTick = 0;
   for (const Remembered& r : memory.events()) {
     sameTick = r.tick == lastTick ? sameTick + 1 : 0;
     lastTick = r.tick;
     // An event happens in the course of its tick: half a tick before the packet that brings it.
-    const float age = static_cast<float>(tick - static_cast<double>(r.tick)) + 0.5f;
-    if (age < 0.0f || age >= kPuffTicks) continue;
+    const float life = r.event.type == sim::EventType::Explosion ? kBlastTicks : kPuffTicks;
+    const float age = ageOf(r, tick, time, life);
+    if (age < 0.0f || age >= life) continue;
     const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
     if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
     if (r.event.type == sim::EventType::Smoke) addSmoke(emitter);
+    if constexpr (effects::isBuilt(effects::Effect::Explosions))
+      if (r.event.type == sim::EventType::Explosion)
+        addExplosion(r.event, r.pointIn(packet.originZ), age, r.tick * 64 + sameTick, frame);
+    if (r.event.type == sim::EventType::PowerUpCollected) addTaken(r.event, emitter);
     if (r.event.type == sim::EventType::Glow && age < 1.0f) addGlow(r.pointIn(packet.originZ), frame);
   }
 }

@@ -7,7 +7,7 @@
 
 namespace brittle::view {
 
-/// `tick` is the moment seen. Adds glows and beams.
-void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame);
+/// `tick` is the moment seen, `time` the game's own: in slow motion what flies is slower too. Adds glows and beams.
+void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time, render::Frame& frame);
 
 }  // namespace brittle::view

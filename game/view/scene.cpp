@@ -11,6 +11,7 @@
 #include "game/view/lamps.h"
 #include "game/view/look.h"
 #include "game/view/particles.h"
+#include "game/view/power_ups.h"
 #include "game/view/shadows.h"
 #include "game/view/surroundings.h"
 
@@ -73,6 +74,10 @@ void Scene::reset() {
   ++resets_;
 }
 
+double Scene::timeAt(float alpha) const {
+  return now_.time - static_cast<double>((1.0f - alpha) * now_.timeShare);
+}
+
 void Scene::placeCamera(double tick) {
   const sim::Camera& from = seen_.camera;
   render::Camera& camera = frame_.camera;
@@ -100,6 +105,7 @@ void Scene::addRooms(const MeshPools& pools) {
     group.poolId = (resets_ << 32) + room.number + 1;
     if (group.pool == nullptr) continue;
     for (const sim::BodyPose& body : room.bodies) group.bodies.push_back(body.pose);
+    if (!room.pickups.empty()) turnPickups(room, timeAt(alpha_), group.bodies);
     for (geometry::MeshSlot slot = 0; slot < group.pool->slotCount(); ++slot) {
       const geometry::MeshInfo& info = group.pool->info(slot);
       // The room's own boxes are seen as baked meshes.
@@ -134,11 +140,12 @@ void Scene::addThings() {
   }
   const auto material = static_cast<std::uint16_t>(sim::Look::Ball);
   for (const sim::BallView& ball : seen_.balls)
-    frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, render::kWhite});
+    frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, tintOf(ball)});
 }
 
 const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused,
                                   const Timings* timings) {
+  alpha_ = clampTo(alpha, 0.0f, 1.0f);
   interpolate(before_, now_, alpha, seen_);
   const double tick = static_cast<double>(now_.tick) - 1.0 + static_cast<double>(clampTo(alpha, 0.0f, 1.0f));
   frame_.clear();
@@ -154,7 +161,8 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
     if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
   if constexpr (kHas<Effect::Air>)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
-  addParticles(seen_, memory_, tick, frame_);
+  addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
+  addPowerUps(seen_, timeAt(alpha_), frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) addTimings(*timings, frame_);
   return frame_;

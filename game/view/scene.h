@@ -36,11 +36,14 @@ class Scene {
   void addLamps();
   void addThings();
   void placeCamera(double tick);
+  /// The game's time, `alpha` of the way between the last two ticks. [ticks]
+  double timeAt(float alpha) const;
 
   Statics statics_;
   std::vector<render::Material> materials_;
   Memory memory_;
   sim::FramePacket before_, now_, seen_;
+  float alpha_ = 1.0f;  // of the picture that is built
   render::Frame frame_;
   std::uint64_t resets_ = 0;
 };

@@ -1,12 +1,17 @@
 #include "game/view/sound.h"
 
+#include <cmath>
+
 #include "engine/core/log.h"
 #include "engine/effects/built.h"
+#include "game/sim/constants.h"
 
 namespace brittle::view {
 namespace {
 
 constexpr std::uint64_t kStream = 0x50554e44;
+constexpr float kUnderWater = 0.55f;  // low-pass while time runs slowest: 1.6 kHz
+constexpr float kSlowest = static_cast<float>(sim::rules::kSlowestShare) / 256.0f;
 constexpr float kDetune = 0.05f;  // sounds of things differ by up to this share of their pitch; notes do not
 
 audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random) {
@@ -28,11 +33,37 @@ audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random)
 
 void Sound::tick(const sim::FramePacket& packet) {
   enterRoom(packet);
+  for (const sim::RoomView& room : packet.rooms)
+    if (!room.pickups.empty()) bankOf(audio::Sound::PowerUpTaken);
   for (const sim::Event& event : packet.events) reportUnknown(event, packet.soundNames);
   Random random(mixSeed(kStream, packet.tick));
-  for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) mixer_.play(voiceOf(cue, mixer_.bank(), random));
+  for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) {
+    const audio::Bank& bank = bankOf(cue.sound);
+    if (bank.variations(cue.sound) > 0) mixer_.play(voiceOf(cue, bank, random));
+  }
+  followTime(packet);
   streak_ = packet.hud.streak;
   if constexpr (effects::isBuilt(effects::Effect::Music)) playMusic(packet);
+}
+
+/// Those of power-ups are computed when the first power-up comes in sight, or is heard.
+const audio::Bank& Sound::bankOf(audio::Sound sound) {
+  if (!audio::isOfPowerUps(sound)) return mixer_.bank();
+  if (!powerUps_) powerUps_ = std::make_unique<audio::Bank>(audio::SoundSet::PowerUps);
+  return *powerUps_;
+}
+
+/// Slow motion sounds as under water: lower, an octave at a quarter of the speed, and dull.
+void Sound::followTime(const sim::FramePacket& packet) {
+  if (packet.timeShare == timeShare_) return;
+  timeShare_ = packet.timeShare;
+  mixer_.setRate(std::sqrt(timeShare_));
+  mixer_.setLowPass(lowPassOf(packet));
+}
+
+float lowPassOf(const sim::FramePacket& packet) {
+  const float ownAmount = packet.rooms.empty() ? 0.0f : acousticsOf(packet.rooms.front()).lowPass;
+  return maxOf(ownAmount, kUnderWater * (1.0f - packet.timeShare) / (1.0f - kSlowest));
 }
 
 std::int32_t musicTickOf(const sim::FramePacket& packet) {
@@ -45,6 +76,7 @@ void Sound::enterRoom(const sim::FramePacket& packet) {
   knowsRoom_ = true;
   room_ = packet.rooms.front().number;
   mixer_.setAcoustics(acousticsOf(packet.rooms.front()));
+  if (timeShare_ < 1.0f) mixer_.setLowPass(lowPassOf(packet));
 }
 
 void Sound::reportUnknown(const sim::Event& event, const std::vector<std::string>& names) {
@@ -57,6 +89,8 @@ void Sound::reportUnknown(const sim::Event& event, const std::vector<std::string
 
 void Sound::reset() {
   mixer_.silence();
+  if (timeShare_ != 1.0f) mixer_.setRate(1.0f);
+  timeShare_ = 1.0f;
   knowsRoom_ = false;
   musicTick_ = -1;
   masking_ = {};

@@ -29,13 +29,17 @@ class Sound {
  private:
   void enterRoom(const sim::FramePacket& packet);
   void playMusic(const sim::FramePacket& packet);
+  void followTime(const sim::FramePacket& packet);
+  const audio::Bank& bankOf(audio::Sound sound);
   void reportUnknown(const sim::Event& event, const std::vector<std::string>& names);
 
   audio::Mixer& mixer_;
   std::uint64_t room_ = 0;
   bool knowsRoom_ = false;
   std::unique_ptr<audio::Instruments> instruments_;  // from the first room that has music on
+  std::unique_ptr<audio::Bank> powerUps_;            // from the first of them on
   std::int32_t musicTick_ = -1;                      // played last
+  float timeShare_ = 1.0f;                           // as the mixer has it
   Masking masking_;
   std::int32_t streak_ = 0;        // before this tick
   std::set<std::string> unknown_;  // names of script sounds that were reported
@@ -43,6 +47,9 @@ class Sound {
 
 /// How far a room's music has come: before the first room the title has its own time.
 std::int32_t musicTickOf(const sim::FramePacket& packet);
+
+/// The low-pass of all that is heard: the room's, or slow motion's if that is more.
+float lowPassOf(const sim::FramePacket& packet);
 
 /// A room's settings as the mixer takes them: any number is brought within limits.
 audio::Acoustics acousticsOf(const sim::RoomView& room);

@@ -6,6 +6,8 @@
 #include "engine/replay/replay_file.h"
 #include "engine/runtime/loop.h"
 #include "game/content/level.h"
+#include "game/sim/constants.h"
+#include "game/view/hud.h"
 #include "platform/sdl/window.h"
 #include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
@@ -62,6 +64,15 @@ class Player : public runtime::Client {
     ++frames_;
   }
   float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }
+  runtime::Controls controls(runtime::PictureSize size) const override {
+    runtime::Controls controls;
+    const sim::Hud& hud = simulation_->game().hud();
+    for (const view::TouchSpot& spot :
+         view::powerUpSpots(hud, static_cast<float>(size.width), static_cast<float>(size.height)))
+      controls.uses.push_back({spot.left, spot.top, spot.right, spot.bottom});
+    controls.throwEvery = hud.throwsAreFree ? sim::rules::kSprayTicks : 0;
+    return controls;
+  }
   bool isDone() const override { return isInterrupted() || (options_.frames != 0 && frames_ >= options_.frames); }
 
   Status saveRecording() const {

@@ -124,6 +124,19 @@ TEST(Mixer, TheLowPassOfARoomDullsEverything) {
   EXPECT_LT(centroids[1], 0.35 * centroids[0]);
 }
 
+TEST(Mixer, ALowPassOfItsOwnLastsUntilTheNextRoom) {
+  const auto centroidAfter = [](bool entersRoom) {
+    Mixer mixer(bank());
+    mixer.setLowPass(0.6f);
+    take(mixer, 0.5);
+    if (entersRoom) mixer.setAcoustics({});
+    take(mixer, 1.0);
+    mixer.play(voiceOf(Sound::GlassLarge));
+    return centroidOf(leftOf(take(mixer, 0.1)));
+  };
+  EXPECT_LT(centroidAfter(false), 0.35 * centroidAfter(true));
+}
+
 TEST(Mixer, SlowMotionLowersEverything) {
   Mixer mixer(bank());
   mixer.setRate(0.5f);

@@ -28,6 +28,10 @@ constexpr Expected kExpected[] = {
     {Sound::OnSteel, 3500, 8000, 0.05, 0.5},      {Sound::Note, 500, 5000, 0.4, 2.5},
     {Sound::Missed, 200, 600, 0.5, 1.5},          {Sound::Door, 300, 2500, 0.2, 2.5},
     {Sound::Crash, 300, 3000, 0.3, 1.6},          {Sound::Throw, 400, 3000, 0.1, 0.6},
+    {Sound::PowerUpTaken, 900, 4500, 0.3, 1.5},   {Sound::PowerUpBegins, 300, 3000, 0.3, 1.5},
+    {Sound::PowerUpEnds, 250, 2500, 0.2, 1.2},    {Sound::BlastSmall, 150, 1800, 0.2, 1.5},
+    {Sound::BlastMedium, 100, 1400, 0.3, 2.2},    {Sound::BlastLarge, 60, 1000, 0.5, 3.5},
+    {Sound::TimeSlows, 200, 2000, 0.3, 6.0},      {Sound::TimeReturns, 150, 2500, 0.2, 6.0},
 };
 
 TEST(Synthesis, EverySoundHasItsSpectrumAndItsDecay) {
@@ -133,6 +137,24 @@ TEST(Synthesis, VariationsDiffer) {
           rmsOf(a) * rmsOf(b) * std::sqrt(static_cast<double>(a.size())) * std::sqrt(static_cast<double>(b.size()));
       EXPECT_LT(std::fabs(product) / norm, 0.95) << nameOf(sound) << " " << i;
     }
+  }
+}
+
+TEST(Synthesis, ABlastIsDeeperAndLongerTheLargerItIs) {
+  const Sound sizes[] = {Sound::BlastSmall, Sound::BlastMedium, Sound::BlastLarge};
+  for (int i = 0; i + 1 < 3; ++i) {
+    const std::span<const float> a = samplesOf(bank().clip(sizes[i], 0)), b = samplesOf(bank().clip(sizes[i + 1], 0));
+    EXPECT_LT(a.size(), b.size());
+    EXPECT_GT(centroidOf(part(a, 0.0, 0.3413)), centroidOf(part(b, 0.0, 0.3413)));
+  }
+}
+
+TEST(Synthesis, SetsOfSoundsAreComputedApart) {
+  const Bank common(SoundSet::Common), powerUps(SoundSet::PowerUps);
+  for (int s = 0; s < static_cast<int>(Sound::Count); ++s) {
+    const auto sound = static_cast<Sound>(s);
+    EXPECT_EQ(common.variations(sound), isOfPowerUps(sound) ? 0u : bank().variations(sound));
+    EXPECT_EQ(powerUps.variations(sound), isOfPowerUps(sound) ? bank().variations(sound) : 0u);
   }
 }
 

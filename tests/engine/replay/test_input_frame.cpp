@@ -20,6 +20,15 @@ TEST(InputFrame, AimBeyondTheRangeIsClampedAndNothingIsUndefined) {
   EXPECT_EQ(quantizeAim(std::nanf(""), 0.5f), (Throw{0, 4096}));
 }
 
+TEST(InputFrame, EachPlaceHasABitOfItsOwn) {
+  unsigned all = static_cast<unsigned>(Button::Restart) | static_cast<unsigned>(Button::Pause);
+  for (int place = 0; place < kUsePlaces; ++place) {
+    EXPECT_NE(useBit(place), 0);
+    EXPECT_EQ(all & useBit(place), 0u);
+    all |= useBit(place);
+  }
+}
+
 // The same point of the view, reached from two picture sizes, is the same throw, but for points on the border of two
 // steps.
 TEST(InputFrame, ThePicturesSizeDoesNotMatter) {

@@ -47,10 +47,12 @@ class CountingClient : public Client {
     if (platform != nullptr) platform->now += 0.004;
   }
   float tanHalfWidth() const override { return 1.0f; }
+  Controls controls(PictureSize) const override { return shownControls; }
   bool isDone() const override { return done; }
 
   std::vector<replay::InputFrame> inputs;
   std::vector<float> alphas;
+  Controls shownControls;
   bool pausedWhenDrawn = false;
   std::optional<FrameTimes> timesWhenDrawn;
   MadeUpPlatform* platform = nullptr;  // on which a tick takes 1 ms and a picture 4
@@ -102,6 +104,59 @@ TEST_F(LoopTest, ATouchIsOneThrowInOneTick) {
   ASSERT_EQ(client.inputs[0].throws.size(), 1u);
   EXPECT_EQ(client.inputs[0].throws[0], (replay::Throw{8192, 0})) << "the right border is the tangent 1";
   EXPECT_TRUE(client.inputs[1].throws.empty());
+}
+
+TEST_F(LoopTest, ATouchOfASignUsesItAndThrowsNothing) {
+  client.shownControls.uses = {{10.0f, 300.0f, 50.0f, 340.0f}, {60.0f, 300.0f, 100.0f, 340.0f}};
+  platform.waiting = {pointerDown(80.0f, 320.0f)};
+  frame();
+  platform.waiting = {pointerDown(55.0f, 320.0f)};
+  frame();
+  ASSERT_EQ(client.inputs.size(), 2u);
+  EXPECT_TRUE(client.inputs[0].throws.empty());
+  EXPECT_EQ(client.inputs[0].buttons, replay::useBit(1));
+  EXPECT_EQ(client.inputs[1].throws.size(), 1u) << "between two signs";
+  EXPECT_EQ(client.inputs[1].buttons, 0);
+}
+
+TEST_F(LoopTest, TheKeysOneToFourUseTheirPlaces) {
+  for (int place = 0; place < replay::kUsePlaces; ++place) {
+    platform.waiting = {key(static_cast<char>('1' + place))};
+    frame();
+    EXPECT_EQ(client.inputs.back().buttons, replay::useBit(place));
+  }
+  platform.waiting = {key('5'), key('0')};
+  frame();
+  EXPECT_EQ(client.inputs.back().buttons, 0);
+}
+
+/// Ticks in which something was thrown.
+std::vector<std::size_t> throwsOf(const std::vector<replay::InputFrame>& inputs) {
+  std::vector<std::size_t> ticks;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (!inputs[i].throws.empty()) ticks.push_back(i);
+  return ticks;
+}
+
+TEST_F(LoopTest, AHeldPointerSpraysWhereItIsMovedTo) {
+  client.shownControls.throwEvery = 6;
+  platform.waiting = {pointerDown(320.0f, 180.0f)};
+  for (int i = 0; i < 8; ++i) frame();
+  Event moved = of(EventKind::PointerMoved);
+  moved.x = 640.0f, moved.y = 180.0f;
+  platform.waiting = {moved};
+  for (int i = 0; i < 8; ++i) frame();
+  platform.waiting = {of(EventKind::PointerUp)};
+  for (int i = 0; i < 20; ++i) frame();
+  EXPECT_EQ(throwsOf(client.inputs), (std::vector<std::size_t>{0, 6, 12}));
+  EXPECT_EQ(client.inputs[6].throws[0], (replay::Throw{0, 0}));
+  EXPECT_EQ(client.inputs[12].throws[0], (replay::Throw{8192, 0}));
+}
+
+TEST_F(LoopTest, WithoutSprayingAHeldPointerThrowsOnce) {
+  platform.waiting = {pointerDown(320.0f, 180.0f)};
+  for (int i = 0; i < 30; ++i) frame();
+  EXPECT_EQ(throwsOf(client.inputs).size(), 1u);
 }
 
 TEST_F(LoopTest, ATouchInAFrameWithoutATickIsKept) {

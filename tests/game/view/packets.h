@@ -12,11 +12,12 @@ inline sim::Event eventOf(sim::EventType type, const Vec3& point) {
   return event;
 }
 
-/// One room with a floor of 4 x 8 m, in which every effect runs that finds something to do, and a camera one metre above
-/// it.
+/// One room with a floor of 4 x 8 m, in which every effect runs that finds something to do, and a camera one metre
+/// above it.
 inline sim::FramePacket packetAt(std::uint64_t tick) {
   sim::FramePacket packet;
   packet.tick = tick;
+  packet.time = static_cast<double>(tick);
   packet.camera.halfWidthTangent = 0.57735f;
   packet.camera.near = 0.2f;
   packet.camera.far = 100.0f;

@@ -55,6 +55,28 @@ TEST(Cues, GlassBreaksBySizeAndRainsWhenLarge) {
     EXPECT_TRUE(cue.sound != Sound::ShardRain || cue.delay > 0.1f);
 }
 
+TEST(Cues, ABlastHasThreeSizes) {
+  sim::Event blast = eventOf(EventType::Explosion, Vec3(0.0f, 1.0f, -6.0f));
+  blast.size = 3.0f;
+  EXPECT_TRUE(has(cuesFor({blast}), Sound::BlastSmall)) << "nothing burst";
+  blast.value = 2;
+  EXPECT_TRUE(has(cuesFor({blast}), Sound::BlastMedium));
+  blast.size = 9.0f;
+  EXPECT_TRUE(has(cuesFor({blast}), Sound::BlastLarge));
+}
+
+TEST(Cues, SlowMotionHasSoundsOfItsOwn) {
+  for (const auto kind : {sim::PowerUp::BallFrenzy, sim::PowerUp::SlowMotion}) {
+    const bool isSlow = kind == sim::PowerUp::SlowMotion;
+    sim::Event used = eventOf(EventType::PowerUpUsed, Vec3::Zero()),
+               ended = eventOf(EventType::PowerUpEnded, Vec3::Zero());
+    used.value = ended.value = static_cast<std::int32_t>(kind);
+    EXPECT_TRUE(has(cuesFor({used}), isSlow ? Sound::TimeSlows : Sound::PowerUpBegins));
+    EXPECT_TRUE(has(cuesFor({ended}), isSlow ? Sound::TimeReturns : Sound::PowerUpEnds));
+  }
+  EXPECT_TRUE(has(cuesFor({eventOf(EventType::PowerUpCollected, Vec3::Zero())}), Sound::PowerUpTaken));
+}
+
 TEST(Cues, ABallSoundsLikeWhatItHits) {
   const std::pair<Look, Sound> expected[] = {{Look::Static, Sound::OnStone}, {Look::Stone, Sound::OnStone},
                                              {Look::Metal, Sound::OnMetal},  {Look::Door, Sound::OnMetal},

@@ -29,7 +29,7 @@ std::vector<render::StaticVertex> floorOf(const render::BakedMesh& mesh) {
 
 TEST(Look, EveryLookHasAMaterial) {
   const std::vector<render::Material> table = materials();
-  ASSERT_EQ(table.size(), static_cast<std::size_t>(sim::Look::Door) + 1);
+  ASSERT_EQ(table.size(), static_cast<std::size_t>(sim::Look::PowerUp) + 1);
   EXPECT_LE(table.size(), render::kMaxMaterials);
   EXPECT_EQ(table[static_cast<std::size_t>(sim::Look::Glass)].look, render::Look::Glass);
   EXPECT_GT(table[static_cast<std::size_t>(sim::Look::Glass)].edge, 0.0f);

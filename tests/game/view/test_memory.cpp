@@ -71,11 +71,11 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
   broken.events.push_back(eventOf(sim::EventType::Break, Vec3(0.5f, 1.0f, -3.0f)));
   memory.tick(broken);
   render::Frame frame, shifted;
-  addParticles(packet, memory, 40.0, frame);
+  addParticles(packet, memory, 40.0, 40.0, frame);
   addAir(packet, 40.0, frame);
   packet.originZ -= 64.0;
   packet.camera.position.z() += 64.0f;
-  addParticles(packet, memory, 40.0, shifted);
+  addParticles(packet, memory, 40.0, 40.0, shifted);
   addAir(packet, 40.0, shifted);
   ASSERT_GT(frame.glows.size(), 40u);
   ASSERT_EQ(shifted.glows.size(), frame.glows.size());
@@ -87,7 +87,7 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
 
 TEST(Particles, AreNoneWhenNobodyAsks) {
   render::Frame frame;
-  addParticles(packetAt(40), {}, 40.0, frame);
+  addParticles(packetAt(40), {}, 40.0, 40.0, frame);
   addAir(packetAt(40), 40.0, frame);
   EXPECT_TRUE(frame.glows.empty());
 }
@@ -101,7 +101,7 @@ TEST(Particles, DependOnWhatBreaks) {
     Memory memory;
     memory.tick(packet);
     render::Frame frame;
-    addParticles(packet, memory, 44.0, frame);
+    addParticles(packet, memory, 44.0, 44.0, frame);
     return frame;
   };
   const auto stars = [](const render::Frame& frame) {
@@ -121,7 +121,7 @@ TEST(Particles, FadeBeforeTheEye) {
     memory.tick(packet);
     render::Frame frame;
     frame.camera.position = Vec3(0.0f, 1.0f, 0.0f);
-    addParticles(packet, memory, 40.0, frame);
+    addParticles(packet, memory, 40.0, 40.0, frame);
     std::uint32_t light = 0;
     for (const render::Glow& glow : frame.glows) light += glow.color >> 24;
     for (const render::Beam& beam : frame.beams) light += beam.color >> 24;
@@ -139,7 +139,7 @@ TEST(Particles, OfABreakAreGoneWellBeforeItIsForgotten) {
   Memory memory;
   memory.tick(packet);
   render::Frame frame;
-  addParticles(packet, memory, 40.0 + kMemoryTicks - 1.0, frame);
+  addParticles(packet, memory, 40.0 + kMemoryTicks - 1.0, 40.0 + kMemoryTicks - 1.0, frame);
   EXPECT_TRUE(frame.glows.empty());
   EXPECT_TRUE(frame.beams.empty());
 }
@@ -158,6 +158,23 @@ TEST(Air, MovesAsItsNameSays) {
   EXPECT_GT(meanHeight("falling", 0.0), 0.6f);
   EXPECT_NE(meanHeight("bubbles", 0.0), meanHeight("bubbles", 10.0));
   EXPECT_EQ(meanHeight("no such air", 5.0), meanHeight("falling", 5.0));
+}
+
+// In slow motion what flies is slower, as everything is; but gone by the time it is forgotten.
+TEST(Particles, GoByTheGamesTime) {
+  sim::FramePacket packet = packetAt(10);
+  packet.events.push_back(eventOf(sim::EventType::Break, Vec3(0.0f, 1.0f, -5.0f)));
+  Memory memory;
+  memory.tick(packet);
+  const auto beamsAt = [&](double tick, double time) {
+    render::Frame frame;
+    addParticles(packetAt(10), memory, tick, time, frame);
+    return frame.beams;
+  };
+  ASSERT_FALSE(beamsAt(14.0, 14.0).empty());
+  EXPECT_EQ(beamsAt(18.0, 14.0)[0].to, beamsAt(14.0, 14.0)[0].to) << "4 ticks later, but at the same time";
+  EXPECT_FALSE(beamsAt(80.0, 27.0).empty());
+  EXPECT_TRUE(beamsAt(10.0 + kMemoryTicks, 40.0).empty());
 }
 
 }  // namespace

@@ -181,5 +181,16 @@ TEST(Sound, OfAGameIsTheSameEachTimeAndChangesNothingInIt) {
   EXPECT_LE(peak, audio::kCeiling * 1.000001f);
 }
 
+TEST(Sound, SlowMotionIsUnderWater) {
+  sim::FramePacket packet = packetAt(1);
+  EXPECT_EQ(lowPassOf(packet), 0.0f);
+  packet.timeShare = 0.25f;
+  EXPECT_FLOAT_EQ(lowPassOf(packet), 0.55f);
+  packet.timeShare = 0.625f;
+  EXPECT_FLOAT_EQ(lowPassOf(packet), 0.275f) << "half way down";
+  packet.rooms[0].lowPass = 0.8f;
+  EXPECT_FLOAT_EQ(lowPassOf(packet), 0.8f) << "the room's is more";
+}
+
 }  // namespace
 }  // namespace brittle::view
