@@ -2,6 +2,7 @@
 
 #include "engine/audio/synthesis.h"
 #include "engine/core/profile.h"
+#include "engine/effects/built.h"
 
 namespace brittle::audio {
 namespace {
@@ -65,32 +66,51 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
       return crash(random);
     case Sound::Throw:
       return swoosh(random);
-    case Sound::Count:
+    default:
       break;
   }
-  return {};
+  if constexpr (effects::isBuilt(effects::Effect::Water))
+    if (const int size = static_cast<int>(sound) - static_cast<int>(Sound::SplashDrip); size >= 0 && size < 4)
+      return splash(size, random);
+  return {0.0f};  // of a module that is not there
+}
+
+std::vector<Clip> compute(Sound sound) {
+  std::vector<Clip> clips;
+  for (std::uint32_t variation = 0; variation < countOf(sound); ++variation) {
+    Random random(mixSeed(static_cast<std::uint64_t>(sound), variation));
+    clips.emplace_back(synthesize(sound, variation, random));
+  }
+  return clips;
 }
 
 }  // namespace
 
+std::optional<effects::Effect> effectOf(Sound sound) {
+  if (sound >= Sound::SplashDrip && sound <= Sound::SplashLarge) return effects::Effect::Water;
+  return std::nullopt;
+}
+
 const char* nameOf(Sound sound) {
-  constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain", "tinkle_small",
-                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",    "on_metal",
-                                    "on_wood",       "on_glass",     "on_steel",    "note",       "missed",
-                                    "door",          "crash",        "throw"};
+  constexpr const char* kNames[] = {"glass_small",   "glass_medium", "glass_large", "shard_rain",  "tinkle_small",
+                                    "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",     "on_metal",
+                                    "on_wood",       "on_glass",     "on_steel",    "note",        "missed",
+                                    "door",          "crash",        "throw",       "splash_drip", "splash_small",
+                                    "splash_medium", "splash_large"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }
 
 Bank::Bank() {
   BR_ZONE("bank");
-  for (std::size_t i = 0; i < clips_.size(); ++i) {
-    const auto sound = static_cast<Sound>(i);
-    for (std::uint32_t variation = 0; variation < countOf(sound); ++variation) {
-      Random random(mixSeed(i, variation));
-      clips_[i].emplace_back(synthesize(sound, variation, random));
-    }
-  }
+  for (std::size_t i = 0; i < clips_.size(); ++i)
+    if (!effectOf(static_cast<Sound>(i))) clips_[i] = compute(static_cast<Sound>(i));
+}
+
+const Bank::Clips& Bank::clipsOf(Sound sound) const {
+  Clips& clips = clips_[static_cast<std::size_t>(sound)];
+  if (clips.empty()) clips = compute(sound);
+  return clips;
 }
 
 std::size_t Bank::bytes() const {

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/audio/clip.h"
+#include "engine/effects/effect.h"
 
 namespace brittle::audio {
 
@@ -29,6 +31,10 @@ enum class Sound : std::uint8_t {
   Door,
   Crash,
   Throw,
+  SplashDrip,  // into water: by the size and speed of what falls in
+  SplashSmall,
+  SplashMedium,
+  SplashLarge,
   Count
 };
 
@@ -38,20 +44,25 @@ inline constexpr std::array<float, kNotes> kNoteNumbers = {72, 74, 76, 79, 81, 8
 
 const char* nameOf(Sound sound);
 
+/// The effect that a sound is made for: computed when it is first asked for. Nothing for those of every game.
+std::optional<effects::Effect> effectOf(Sound sound);
+
 class Bank {
  public:
-  /// Computes everything; takes about a fifth of a second. The same samples on every machine.
+  /// Computes what every game has; takes about a fifth of a second. The same samples on every machine.
   Bank();
   std::uint32_t variations(Sound sound) const { return static_cast<std::uint32_t>(clipsOf(sound).size()); }
-  /// `variation` counts on from the beginning when there are not so many.
+  /// `variation` counts on from the beginning when there are not so many. From the game's thread; the clip itself may
+  /// be read by any.
   const Clip& clip(Sound sound, std::uint32_t variation) const {
     return clipsOf(sound)[variation % clipsOf(sound).size()];
   }
   std::size_t bytes() const;
 
  private:
-  const std::vector<Clip>& clipsOf(Sound sound) const { return clips_[static_cast<std::size_t>(sound)]; }
-  std::array<std::vector<Clip>, static_cast<std::size_t>(Sound::Count)> clips_;
+  using Clips = std::vector<Clip>;
+  const Clips& clipsOf(Sound sound) const;
+  mutable std::array<Clips, static_cast<std::size_t>(Sound::Count)> clips_;  // of effects: empty until asked for
 };
 
 }  // namespace brittle::audio

@@ -33,6 +33,8 @@ Samples crash(Random& random);
 Samples door(Random& random);
 /// A ball leaves the hand.
 Samples swoosh(Random& random);
+/// Something falls into water, of four sizes: 0 a drop, 3 a heavy thing.
+Samples splash(int size, Random& random);
 /// A glass tone that sags: a chance was missed.
 Samples sigh();
 

@@ -26,6 +26,7 @@ void Frame::clear() {
   glows.clear();
   beams.clear();
   shadows.clear();
+  waters.clear();
   decals.clear();
   quads.clear();
   arcs.clear();

@@ -135,6 +135,17 @@ struct Decal {
   float cover = 1.0f;                // 1: hides what is behind it, 0: adds to it
 };
 
+/// A level surface of water with waves on it: a grid of cells, rows from low z to high z, corners from low x to high x.
+struct Water {
+  Vec3 center = Vec3::Zero();    // [m]
+  Vec2 halfSize = Vec2::Ones();  // in x and z [m]
+  int columns = 1, rows = 1;     // cells along x and z
+  std::vector<float> heights;    // of the (columns + 1) (rows + 1) corners above the surface [m]
+  std::vector<float> foam;       // of each, 0 clear to 1 white
+  float along = 0.0f;            // added to z gives a place that stays where it is: of its finest waves [m]
+  float seconds = 0.0f;          // by which those move
+};
+
 /// Baked room geometry, made by Renderer::createStatic. 0 is null.
 using StaticId = std::uint32_t;
 
@@ -194,6 +205,7 @@ struct Frame {
   std::vector<Glow> glows;
   std::vector<Beam> beams;
   std::vector<Shadow> shadows;
+  std::vector<Water> waters;          // drawn in this order: farthest first
   std::vector<Decal> decals;          // drawn in this order
   std::optional<float> mirrorHeight;  // of a polished floor that shows the room upside down [m]; none: no such stage
   float sphereShadow = 0.6f;          // opacity of the shadows of spheres; 0: none

@@ -23,6 +23,7 @@ extern const ProgramSource kGlass;       // translucent convexes
 extern const ProgramSource kEdge;        // bright lines
 extern const ProgramSource kGlow;        // additive discs
 extern const ProgramSource kBeam;        // additive capsules
+extern const ProgramSource kWater;       // a level surface with waves
 extern const ProgramSource kBright;      // what shines beyond its outline, small
 extern const ProgramSource kBlur;        // that, blurred one way
 extern const ProgramSource kComposite;   // scene to picture

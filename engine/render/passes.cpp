@@ -37,6 +37,8 @@ constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0
                                                    {3, 1, GL_FLOAT, As::Float, 28}}};
 constexpr std::array<Attribute, 3> kHudLayout = {
     {{0, 4, GL_FLOAT, As::Float, 0}, {1, 4, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 32}}};
+constexpr std::array<Attribute, 2> kWaterLayout = {
+    {{0, 3, GL_FLOAT, As::Float, 0}, {1, 3, GL_FLOAT, As::Float, 12}}};
 
 }  // namespace
 
@@ -52,7 +54,8 @@ Passes::Passes(const Gl& gl)
       decalBatch_(sizeof(DecalInstance), kDecalLayout),
       shadowBatch_(sizeof(ShadowInstance), kShadowLayout),
       edgeBatch_(sizeof(EdgeInstance), kEdgeLayout),
-      hudBatch_(sizeof(HudInstance), kHudLayout) {}
+      hudBatch_(sizeof(HudInstance), kHudLayout),
+      waterBatch_(sizeof(WaterVertex), kWaterLayout) {}
 
 Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
   std::unique_ptr<Passes> passes(new Passes(gl));
@@ -80,7 +83,8 @@ Status Passes::build(Which which) {
       isBuilt(Effect::Bloom) ? &glsl::kBlur : nullptr,
       &glsl::kComposite,
       &glsl::kHud,
-      &glsl::kOverlay};
+      &glsl::kOverlay,
+      isBuilt(Effect::Water) ? &glsl::kWater : nullptr};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();

@@ -13,6 +13,7 @@
 #include "engine/render/mesh_store.h"
 #include "engine/render/shader.h"
 #include "engine/render/target.h"
+#include "engine/render/water.h"
 
 namespace brittle::render {
 
@@ -38,6 +39,8 @@ class Passes {
   void decals(const std::vector<DecalInstance>& instances);
   /// Reads the depth copy, as refraction does.
   void shadows(const std::vector<ShadowInstance>& instances);
+  /// Reads the depth and the colour copy, unless `refraction` is 0 (see glass).
+  void water(const Water& water, float refraction);
   /// `refraction` [picture heights]: how far a fully tilted surface looks aside; 0: off, and then the colour copy is
   /// not read. `cut`: the faces are where it broke.
   void glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut);
@@ -72,6 +75,7 @@ class Passes {
     kCompositeProgram,
     kHudProgram,
     kOverlayProgram,
+    kWaterProgram,
     kPrograms
   };
   /// The vec4s a program may have of its own.
@@ -104,6 +108,9 @@ class Passes {
   SphereBatch sphereBatch_;
   InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_;
   OverlayBatch overlayBatch_;
+  StreamBatch waterBatch_;
+  std::vector<WaterVertex> waterVertices_;  // kept to avoid allocating every frame
+  std::vector<std::uint32_t> waterIndices_;
   FrameCounters counters_;
 };
 

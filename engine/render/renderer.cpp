@@ -49,8 +49,9 @@ struct Renderer::Parts {
   void drawRooms(const Frame& frame, bool polished);
   void drawMirrored(const Frame& frame, const FrameUniforms& uniforms);
   void drawOpaque(const Frame& frame);
-  void drawShadows(bool refracts);
-  void drawTranslucent();
+  void drawShadows(const Frame& frame, bool refracts);
+  void drawWaters(const Frame& frame);
+  void drawTranslucent(const Frame& frame);
 };
 
 Group& Renderer::Parts::storeOf(const MeshGroup& group) {
@@ -109,18 +110,28 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   if constexpr (isBuilt(Effect::Decals)) passes->decals(instances.decals);
 }
 
-void Renderer::Parts::drawShadows(bool refracts) {
+void Renderer::Parts::drawShadows(const Frame& frame, bool refracts) {
   BR_ZONE("render shadows");
-  if (refracts || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
+  const bool seesThrough = refracts || (!frame.waters.empty() && def.refraction);
+  if (seesThrough || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
   if constexpr (isBuilt(Effect::Shadows)) passes->shadows(instances.shadows);
+  drawWaters(frame);
   if (refracts) target->copyColor(kUnitColor);
 }
 
-void Renderer::Parts::drawTranslucent() {
+void Renderer::Parts::drawWaters(const Frame& frame) {
+  if (frame.waters.empty()) return;
+  BR_ZONE("render water");
+  if (def.refraction) target->copyColor(kUnitColor);
+  if constexpr (isBuilt(Effect::Water))
+    for (const Water& water : frame.waters) passes->water(water, def.refraction ? kRefraction : 0.0f);
+}
+
+void Renderer::Parts::drawTranslucent(const Frame& frame) {
   BR_ZONE("render glass");
   const bool hasGlass = std::any_of(groups.begin(), groups.end(),
                                     [](const Group* g) { return !g->list.glass.empty() || !g->list.cuts.empty(); });
-  drawShadows(hasGlass && def.refraction);
+  drawShadows(frame, hasGlass && def.refraction);
   for (const Group* group : groups) {
     for (const bool cut : {false, true})
       passes->glass(*group->store, cut ? group->list.cuts : group->list.glass, def.refraction ? kRefraction : 0.0f,
@@ -189,7 +200,7 @@ void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   p.passes->background();
   if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
-  p.drawTranslucent();
+  p.drawTranslucent(frame);
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);
   if (overlay != nullptr) p.passes->overlay(*overlay, width, height);

@@ -28,7 +28,8 @@ enum class EventType : std::uint8_t {
   Begin,       // the title is left
   Checkpoint,  // a room that ends at a checkpoint is passed; value: the balls now stored for it
   Smoke,       // a script lets out a puff; direction: where it drifts [m/s]
-  Glow         // a script lights a point, for this tick
+  Glow,        // a script lights a point, for this tick
+  Splash       // something fell into water; direction: its velocity [m/s]; value: 1 if it was a ball
 };
 
 struct Event {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -95,6 +96,13 @@ struct RopeView {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
+/// A level surface of water.
+struct WaterView {
+  Vec3 center = Vec3::Zero();           // [m]
+  Vec2 halfExtents = Vec2::Ones();      // in x and z [m]
+  std::array<int, 2> cells = {32, 32};  // along x and z
+};
+
 /// One of the at most two rooms alive: the one the camera is in and the next one.
 struct RoomView {
   std::uint64_t number = 0;  // counts up through the game
@@ -112,6 +120,7 @@ struct RoomView {
   std::vector<CrumbView> crumbs;
   std::vector<RopeView> ropes;
   std::vector<RopeView> beams;  // lasers
+  std::vector<WaterView> waters;
   std::vector<BodyDecal> bodyDecals;
 };
 

@@ -51,8 +51,12 @@ void Room::tick(float distance, float speed, std::int32_t ticks) {
   buildSegments(distance);
   startObstacles(distance);
   runScripts(&Obstacle::tickScript);
+  if constexpr (effects::isBuilt(effects::Effect::Water))
+    if (runs(effects::Effect::Water)) waters_.slow(*world_, plan_.waters, shift_, plan_.settings.gravity);
   world_->step(rules::kTickSeconds);
   readEvents();
+  if constexpr (effects::isBuilt(effects::Effect::Water))
+    if (runs(effects::Effect::Water)) readSplashes();
   removeBehind();
   thinOut();
   runScripts(&Obstacle::drawScript);

@@ -94,6 +94,15 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   for (const physics::Crumb& crumb : world_->debris().crumbs)
     view.crumbs.push_back({Vec3(crumb.position + frameOffset_), crumb.radius, crumb.color});
   copyRopes(view);
+  copyWaters(view);
+}
+
+void Room::copyWaters(RoomView& view) const {
+  view.waters.clear();
+  if (!view.effects.has(effects::Effect::Water)) return;
+  const Vec3 moved = Vec3(0.0f, 0.0f, shift_) + frameOffset_;
+  for (const PlannedWater& water : plan_.waters)
+    view.waters.push_back({water.center + moved, water.halfExtents, water.cells});
 }
 
 void Room::copySegments(RoomView& view) const {

@@ -178,6 +178,19 @@ void placeObstacles(Session& session, const content::Segment& segment, float sta
   }
 }
 
+void placeWaters(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  for (const content::Water& water : segment.waters) {
+    if (water.hidden) continue;
+    const std::string where = segment.file + ":" + std::to_string(water.line);
+    if (plan.waters.size() >= rules::kMaxWatersPerRoom) {
+      refuse(session, "waters", rules::kMaxWatersPerRoom, "in a room", where);
+      return;
+    }
+    plan.waters.push_back({water.position - Vec3(0.0f, 0.0f, start), water.halfExtents, water.resolution});
+    plan.effects.demand(effects::Effect::Water, where);
+  }
+}
+
 void placeBoxes(Session& session, const std::string& name, const content::Segment& segment, float start,
                 const std::string& where, RoomPlan& plan) {
   const std::size_t things = segment.boxes.size() + segment.decals.size() + segment.obstacles.size();
@@ -211,7 +224,7 @@ float placeSegment(Session& session, const std::string& name, float start, const
   for (const content::PowerUp& powerUp : segment->powerUps)
     session.reportMissing("power-up " + powerUp.type, segment->file + ":" + std::to_string(powerUp.line),
                           "there is none");
-  if (!segment->waters.empty()) session.report(segment->file + ": water is not supported");
+  placeWaters(session, *segment, start, plan);
   return segment->size.z();
 }
 

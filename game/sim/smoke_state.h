@@ -2,6 +2,7 @@
 // that define the script's functions; see smoke.h.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,8 +49,10 @@ class Smoke {
       if (game.tickCount() < throws_.size()) frame.throws = throws_[game.tickCount()];
       result.inputs.push_back(frame);
       game.tick(frame);
+      for (const Event& event : game.events()) ++events_[static_cast<std::size_t>(event.type)];
     }
   }
+  std::uint32_t eventsOf(EventType type) const { return events_[static_cast<std::size_t>(type)]; }
   bool saveAndRestore(Game& game) {
     ByteWriter out;
     game.save(out);
@@ -82,6 +85,7 @@ class Smoke {
   const content::AssetSource& assets_;
   std::unique_ptr<Game> game_;
   std::vector<std::vector<replay::Throw>> throws_;
+  std::array<std::uint32_t, 64> events_{};  // by type, so far
 };
 
 std::string smokeText(double value);

@@ -90,6 +90,16 @@ Cue hitCue(const Event& event, const sim::Camera& camera) {
   return cue(tinkle, 0.4f * weight * bySpeed(event.speed, 8.0f));
 }
 
+/// By what is pushed aside in a second, about: size squared times speed. A ball at its full speed is a heavy thing.
+Cue splashCue(const Event& event, const sim::Camera& camera) {
+  const float weight = event.size * event.size * event.speed;
+  const Sound sound = weight < 0.01f   ? Sound::SplashDrip
+                      : weight < 0.06f ? Sound::SplashSmall
+                      : weight < 0.30f ? Sound::SplashMedium
+                                       : Sound::SplashLarge;
+  return cueAt(event, camera, sound, 0.35f + 0.55f * bySpeed(weight, 0.6f));
+}
+
 struct Cues {
   std::vector<Cue> breaks, hits, others;
 };
@@ -156,6 +166,9 @@ void addOther(const Event& event, const sim::FramePacket& packet, std::int32_t s
       break;
     case EventType::Begin:
       addChord({0, 3, 5}, 0.1f, 0.14f, 1.0f, cues);
+      break;
+    case EventType::Splash:
+      cues.push_back(splashCue(event, packet.camera));
       break;
     case EventType::Sound:
       addScriptSound(event, packet, cues);

@@ -13,6 +13,7 @@
 #include "game/view/particles.h"
 #include "game/view/shadows.h"
 #include "game/view/surroundings.h"
+#include "game/view/water.h"
 
 namespace brittle::view {
 namespace {
@@ -154,6 +155,8 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
     if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
   if constexpr (kHas<Effect::Air>)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
+  if constexpr (kHas<Effect::Water>)
+    if (seen_.runs(Effect::Water)) addWaters(seen_, memory_, tick, frame_);
   addParticles(seen_, memory_, tick, frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) addTimings(*timings, frame_);
