@@ -29,15 +29,6 @@ constexpr std::array<Swell, 5> kSwells = {{{0.28f, 0.96f, 2.9f, 0.0065f},
                                            {-0.35f, -0.94f, 0.85f, 0.0032f},
                                            {0.66f, 0.75f, 0.55f, 0.0020f}}};
 
-/// Waves of one length about a splash's middle. The group widens as it goes, and its height falls as its ring grows.
-float groupHeight(float distance, float age, float wavelength) {
-  const float k = 2.0f * kPi / wavelength;
-  const float width = wavelength * (0.55f + 0.45f * age);
-  const float off = (distance - groupSpeed(wavelength) * age) / width;
-  const float phase = k * (distance - crestSpeed(wavelength) * age);
-  return exponential(-off * off) * cosine(phase) / std::sqrt(1.0f + 2.0f * distance / wavelength);
-}
-
 /// The hollow that it leaves, and the water that comes up in its place.
 float craterHeight(const Splash& splash, float distance) {
   const float radius = 0.6f * splash.wavelength();
@@ -119,6 +110,15 @@ std::vector<sim::WaterView> watersInSight(const sim::FramePacket& packet, const 
 
 float crestSpeed(float wavelength) {
   return std::sqrt(kWaterGravity * wavelength / (2.0f * kPi));
+}
+
+// The group widens as it goes, and its height falls as its ring grows.
+float groupHeight(float distance, float age, float wavelength) {
+  const float k = 2.0f * kPi / wavelength;
+  const float width = wavelength * (0.55f + 0.45f * age);
+  const float off = (distance - groupSpeed(wavelength) * age) / width;
+  const float phase = k * (distance - crestSpeed(wavelength) * age);
+  return exponential(-off * off) * cosine(phase) / std::sqrt(1.0f + 2.0f * distance / wavelength);
 }
 
 float Splash::wavelength() const {

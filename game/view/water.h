@@ -19,6 +19,9 @@ inline float groupSpeed(float wavelength) {
   return 0.5f * crestSpeed(wavelength);
 }
 
+/// A group of waves of one length [m] about the place that it began at, `age` [s] ago, as a share of its first height.
+float groupHeight(float distance, float age, float wavelength);
+
 /// Something that fell in.
 struct Splash {
   Vec2 place = Vec2::Zero();  // x and z, in the packet's frame [m]
