@@ -72,6 +72,11 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
   if constexpr (effects::isBuilt(effects::Effect::Water))
     if (const int size = static_cast<int>(sound) - static_cast<int>(Sound::SplashDrip); size >= 0 && size < 4)
       return splash(size, random);
+  if constexpr (effects::isBuilt(effects::Effect::Lasers)) {
+    if (sound == Sound::LaserHum) return laserHum(random);
+    if (sound == Sound::LaserHit) return laserHit(random);
+    if (sound == Sound::LaserDischarge) return laserDischarge(random);
+  }
   return {0.0f};  // of a module that is not there
 }
 
@@ -88,6 +93,7 @@ std::vector<Clip> compute(Sound sound) {
 
 std::optional<effects::Effect> effectOf(Sound sound) {
   if (sound >= Sound::SplashDrip && sound <= Sound::SplashLarge) return effects::Effect::Water;
+  if (sound >= Sound::LaserHum && sound <= Sound::LaserDischarge) return effects::Effect::Lasers;
   return std::nullopt;
 }
 
@@ -96,7 +102,7 @@ const char* nameOf(Sound sound) {
                                     "tinkle_medium", "tinkle_large", "on_stone",    "on_wall",     "on_metal",
                                     "on_wood",       "on_glass",     "on_steel",    "note",        "missed",
                                     "door",          "crash",        "throw",       "splash_drip", "splash_small",
-                                    "splash_medium", "splash_large"};
+                                    "splash_medium", "splash_large", "laser_hum",   "laser_hit",   "laser_discharge"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }

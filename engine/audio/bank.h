@@ -35,6 +35,9 @@ enum class Sound : std::uint8_t {
   SplashSmall,
   SplashMedium,
   SplashLarge,
+  LaserHum,  // to be overlapped by half: sounds on and on
+  LaserHit,
+  LaserDischarge,
   Count
 };
 

@@ -47,6 +47,11 @@ class Passes {
   void edges(const MeshStore& store, const std::vector<EdgeInstance>& instances);
   void glows(const std::vector<GlowInstance>& instances);
   void beams(const std::vector<BeamInstance>& instances);
+  void lasers(const std::vector<BeamInstance>& instances);
+  /// Reads the depth copy.
+  void puffs(const std::vector<PuffInstance>& instances);
+  /// Blurs what the scene shows so far where it is far away.
+  void focus(Target& target, const Focus& focus);
 
   // Into the picture:
   /// `bloom`: how strongly bright places shine beyond their outline; 0 skips the stage.
@@ -76,6 +81,11 @@ class Passes {
     kHudProgram,
     kOverlayProgram,
     kWaterProgram,
+    kLaserProgram,
+    kPuffProgram,
+    kFarProgram,
+    kDiscProgram,
+    kFocusProgram,
     kPrograms
   };
   /// The vec4s a program may have of its own.
@@ -106,7 +116,8 @@ class Passes {
   GlVertexArray empty_;  // passes without attributes still need one bound
   GlTexture glyphs_, tiles_, decals_;
   SphereBatch sphereBatch_;
-  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_;
+  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_, laserBatch_,
+      puffBatch_;
   OverlayBatch overlayBatch_;
   StreamBatch waterBatch_;
   std::vector<WaterVertex> waterVertices_;  // kept to avoid allocating every frame

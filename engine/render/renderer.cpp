@@ -97,6 +97,7 @@ void Renderer::Parts::drawMirrored(const Frame& frame, const FrameUniforms& unif
     drawRooms(frame, false);
     for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
     passes->spheres(instances.spheres);
+    if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
     passes->endMirror();
   }
 }
@@ -113,7 +114,7 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
 void Renderer::Parts::drawShadows(const Frame& frame, bool refracts) {
   BR_ZONE("render shadows");
   const bool seesThrough = refracts || (!frame.waters.empty() && def.refraction);
-  if (seesThrough || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
+  if (seesThrough || !instances.shadows.empty() || !instances.puffs.empty()) target->copyDepth(kUnitDepth);
   if constexpr (isBuilt(Effect::Shadows)) passes->shadows(instances.shadows);
   drawWaters(frame);
   if (refracts) target->copyColor(kUnitColor);
@@ -139,6 +140,8 @@ void Renderer::Parts::drawTranslucent(const Frame& frame) {
     passes->edges(*group->store, group->list.edges);
   }
   passes->beams(instances.beams);
+  if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
+  if constexpr (isBuilt(Effect::Smoke)) passes->puffs(instances.puffs);
   passes->glows(instances.glows);
 }
 
@@ -200,6 +203,8 @@ void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   p.passes->background();
   if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
+  if constexpr (isBuilt(Effect::DepthOfField))
+    if (frame.focus.strength > 0.0f) p.passes->focus(*p.target, frame.focus);
   p.drawTranslucent(frame);
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);

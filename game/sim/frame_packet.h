@@ -96,6 +96,12 @@ struct RopeView {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
+/// A laser.
+struct BeamView {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // [m]
+  bool hits = false;                            // something stands where it ends
+};
+
 /// A level surface of water.
 struct WaterView {
   Vec3 center = Vec3::Zero();           // [m]
@@ -112,14 +118,15 @@ struct RoomView {
   float reverb[3] = {0, 0, 0};                           // volume, time [s], low-pass
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
-  effects::EffectMask effects;  // that run in it
+  effects::EffectMask effects;   // that run in it
+  float focus[3] = {0, 0, 0};    // sharp up to [m], blurred after so much more [m], strength
   std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
   std::vector<BodyPose> bodies;    // by body slot
   Vec3 bodyOffset = Vec3::Zero();  // added already to every pose of this room
   std::vector<CrumbView> crumbs;
   std::vector<RopeView> ropes;
-  std::vector<RopeView> beams;  // lasers
+  std::vector<BeamView> beams;  // lasers
   std::vector<WaterView> waters;
   std::vector<BodyDecal> bodyDecals;
 };

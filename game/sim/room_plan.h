@@ -43,6 +43,7 @@ struct RoomSettings {
   float reverb[3] = {0, 0, 0};
   float echo[4] = {0, 0, 0, 0};
   float lowPass = 0.0f;
+  float focus[3] = {0, 0, 0};  // sharp up to here [m], blurred after so much more [m], how much
   std::string music, particles;
   float gravity = 1.0f;    // times rules::kGravity
   float turns = 0.0f;      // camera roll over the room [turns]

@@ -75,6 +75,7 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   for (int i = 0; i < 3; ++i) view.reverb[i] = settings.reverb[i];
   for (int i = 0; i < 4; ++i) view.echo[i] = settings.echo[i];
   view.lowPass = settings.lowPass;
+  for (int i = 0; i < 3; ++i) view.focus[i] = settings.focus[i];
   view.music = settings.music;
   view.particles = settings.particles;
   view.effects = plan_.effects.running();
@@ -133,8 +134,8 @@ void Room::copyRopes(RoomView& view) const {
           joint.b ? world_->body(world_->bodyOf(joint.b)).pose.toWorld(joint.localAnchorB) : joint.localAnchorB;
       view.ropes.push_back({Vec3(a + frameOffset_), Vec3(b + frameOffset_)});
     }
-    for (const auto& [from, to] : obstacle->beams)
-      view.beams.push_back({Vec3(from + frameOffset_), Vec3(to + frameOffset_)});
+    for (const BeamView& beam : obstacle->beams)
+      view.beams.push_back({Vec3(beam.from + frameOffset_), Vec3(beam.to + frameOffset_), beam.hits});
     view.bodyDecals.insert(view.bodyDecals.end(), obstacle->decals.begin(), obstacle->decals.end());
   }
 }

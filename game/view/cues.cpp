@@ -100,6 +100,40 @@ Cue splashCue(const Event& event, const sim::Camera& camera) {
   return cueAt(event, camera, sound, 0.35f + 0.55f * bySpeed(weight, 0.6f));
 }
 
+constexpr std::uint64_t kHumEvery = 24;         // ticks: half of its length
+constexpr float kHumReach = 14.0f;              // beams farther away are not heard [m]
+constexpr float kBurnReach = 0.6f;              // a crash this near to one is its doing [m]
+constexpr float kCrackleChance = 1.0f / 25.0f;  // in a tick
+
+Vec3 nearestOf(const sim::BeamView& beam, const Vec3& to) {
+  const Vec3 line = beam.to - beam.from;
+  return beam.from + line * clampTo((to - beam.from).dot(line) / maxOf(line.squaredNorm(), 1e-12f), 0.0f, 1.0f);
+}
+
+/// The nearest laser hums without a break, crackles now and then where it ends, and bursts when it strikes.
+void addLaserCues(const sim::FramePacket& packet, Random& random, std::vector<Cue>& cues) {
+  const Vec3 ear = packet.camera.position;
+  const sim::BeamView* nearest = nullptr;
+  float distance = kHumReach;
+  for (const sim::RoomView& room : packet.rooms)
+    for (const sim::BeamView& beam : room.beams) {
+      const float away = (nearestOf(beam, ear) - ear).norm();
+      if (away >= distance) continue;
+      distance = away;
+      nearest = &beam;
+    }
+  if (nearest == nullptr) return;
+  Event event;
+  event.point = nearestOf(*nearest, ear);
+  if (packet.tick % kHumEvery == 0) cues.push_back(cueAt(event, packet.camera, Sound::LaserHum, 0.30f));
+  const bool struck = std::any_of(packet.events.begin(), packet.events.end(),
+                                  [](const Event& e) { return e.type == EventType::Crash; });
+  if (struck && distance < kBurnReach) cues.push_back(cueAt(event, packet.camera, Sound::LaserDischarge, 0.8f));
+  event.point = nearest->to;
+  if (nearest->hits && random.nextFloat() < kCrackleChance)
+    cues.push_back(cueAt(event, packet.camera, Sound::LaserHit, 0.35f));
+}
+
 struct Cues {
   std::vector<Cue> breaks, hits, others;
 };
@@ -210,6 +244,7 @@ std::vector<Cue> cuesOf(const sim::FramePacket& packet, std::int32_t streakBefor
       addOther(event, packet, streakBefore, cues.others);
     }
   }
+  addLaserCues(packet, random, cues.others);
   masking.level *= kUncovered;
   keepHeard(cues.breaks, kMostBreaks, masking, random);
   keepHeard(cues.hits, kMostHits, masking, random);
@@ -223,12 +258,27 @@ std::optional<Sound> soundNamed(const std::string& path) {
     const char* word;
     Sound sound;
   };
-  constexpr Word kWords[] = {{"break", Sound::GlassMedium}, {"shatter", Sound::GlassMedium}, {"crash", Sound::Crash},
-                             {"explo", Sound::Crash},       {"boom", Sound::Crash},          {"door", Sound::Door},
-                             {"open", Sound::Door},         {"clear", Sound::Note},          {"score", Sound::Note},
-                             {"crystal", Sound::Note},      {"note", Sound::Note},           {"shoot", Sound::Throw},
-                             {"swoosh", Sound::Throw},      {"metal", Sound::OnMetal},       {"wood", Sound::OnWood},
-                             {"stone", Sound::OnStone},     {"glass", Sound::OnGlass},       {"button", Sound::OnMetal},
+  constexpr Word kWords[] = {{"discharge", Sound::LaserDischarge},
+                             {"laser", Sound::LaserHit},
+                             {"splash", Sound::SplashMedium},
+                             {"break", Sound::GlassMedium},
+                             {"shatter", Sound::GlassMedium},
+                             {"crash", Sound::Crash},
+                             {"explo", Sound::Crash},
+                             {"boom", Sound::Crash},
+                             {"door", Sound::Door},
+                             {"open", Sound::Door},
+                             {"clear", Sound::Note},
+                             {"score", Sound::Note},
+                             {"crystal", Sound::Note},
+                             {"note", Sound::Note},
+                             {"shoot", Sound::Throw},
+                             {"swoosh", Sound::Throw},
+                             {"metal", Sound::OnMetal},
+                             {"wood", Sound::OnWood},
+                             {"stone", Sound::OnStone},
+                             {"glass", Sound::OnGlass},
+                             {"button", Sound::OnMetal},
                              {"hit", Sound::OnStone}};
   for (const Word& known : kWords)
     if (path.find(known.word) != std::string::npos) return known.sound;

@@ -136,15 +136,6 @@ void addHit(const sim::Event& event, Emitter emitter) {
     emitter.splinters({1.0f, 0.86f, 0.6f}, 6, 2.0f * share);
 }
 
-/// One puff of what a script lets out tick by tick.
-void addSmoke(Emitter emitter) {
-  emitter.puffs({0.80f, 0.82f, 0.85f}, 1, 0.25f, 0.15f);
-}
-
-void addGlow(const Vec3& point, render::Frame& frame) {
-  frame.glows.push_back({point, 0.35f, packRgba({1.0f, 0.93f, 0.78f}, 0.7f)});
-}
-
 }  // namespace
 
 void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
@@ -158,8 +149,6 @@ void addParticles(const sim::FramePacket& packet, const Memory& memory, double t
     const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
     if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
-    if (r.event.type == sim::EventType::Smoke) addSmoke(emitter);
-    if (r.event.type == sim::EventType::Glow && age < 1.0f) addGlow(r.pointIn(packet.originZ), frame);
   }
 }
 
