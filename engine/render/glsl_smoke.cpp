@@ -44,7 +44,7 @@ void main() {
   vec2 p = mat2(cos(vForm.x), sin(vForm.x), -sin(vForm.x), cos(vForm.x)) * vAt + vec2(vForm.y * 7.3, vForm.y * 3.1);
   float cloud = 0.55 * noise(p * 2.3) + 0.30 * noise(p * 5.1 + 4.0) + 0.15 * noise(p * 11.0 + 9.0);
   float body = 1.0 - reach * reach;
-  float thick = smoothstep(0.08, 0.95, body * (0.45 + 1.1 * cloud)) * body;
+  float thick = smoothstep(0.10, 0.85, body * (0.30 + 1.4 * cloud));
 
   float n = frame.forward.w, f = frame.eye.w;
   float stored = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
@@ -57,7 +57,7 @@ void main() {
 
   vec3 normal = frame.right.xyz * vAt.x + frame.up.xyz * vAt.y - frame.forward.xyz * sqrt(body);
   float lit = 0.5 + 0.5 * dot(normal, frame.toLight.xyz);
-  vec3 light = mix(frame.low.rgb * 0.55 + 0.12, frame.high.rgb * 0.75 + 0.25 * frame.lightColor.rgb, lit * (0.6 + 0.4 * cloud));
+  vec3 light = mix(frame.low.rgb * 0.6 + 0.14, frame.high.rgb * 0.8 + 0.45 * frame.lightColor.rgb, lit * (0.6 + 0.4 * cloud));
   result = vec4(withFog(vColor.rgb * light, vPoint), 1.0) * alpha;
 }
 )"};

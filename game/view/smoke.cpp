@@ -10,10 +10,10 @@ namespace brittle::view {
 namespace {
 
 constexpr std::size_t kMostPuffs = 200;                   // the latest
-constexpr float kPuffStart = 0.10f, kPuffSpread = 0.34f;  // radius as it begins [m], and of its growth [m/s^(1/2)]
+constexpr float kPuffStart = 0.12f, kPuffSpread = 0.42f;  // radius as it begins [m], and of its growth [m/s^(1/2)]
 constexpr float kPuffHold = 1.6f;                         // the air takes its speed at this rate [1/s]
-constexpr float kPuffRise = 0.16f;                        // it is warm [m/s]
-const render::Rgb kPuffColor(0.82f, 0.83f, 0.86f);
+constexpr float kPuffRise = 0.22f;                        // it is warm [m/s]
+const render::Rgb kPuffColor(0.93f, 0.94f, 0.96f);
 
 render::Puff puffOf(const Vec3& from, const Vec3& velocity, float age, std::uint64_t key) {
   const Noise noise(key);
@@ -41,7 +41,7 @@ float puffDrift(float age) {
 float puffCover(float age) {
   if (age < 0.0f || age >= kPuffSeconds) return 0.0f;
   const float left = 1.0f - age / kPuffSeconds;
-  return 0.38f * left * left * minOf(0.3f + age / 0.15f, 1.0f);
+  return 0.60f * left * left * minOf(0.3f + age / 0.15f, 1.0f);
 }
 
 void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {

@@ -1,5 +1,5 @@
 -- Water: a ball thrown into it splashes, what breaks above it falls in, and nothing that it does is lost by a restore.
-level("showroom") room(12)
+level("showroom") room(14)
 throw{tick=30, x=0, y=-0.3}
 throw{tick=60, x=0, y=0.05}
 run(59)
