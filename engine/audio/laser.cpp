@@ -21,7 +21,7 @@ void addCrackle(Samples& samples, int clicks, float within, Random& random) {
 Samples laserHum(Random& random) {
   constexpr float pitches[] = {100.0f, 200.0f, 301.0f, 599.0f, 1204.0f};
   constexpr float gains[] = {0.5f, 0.35f, 0.2f, 0.1f, 0.06f};
-  Samples samples(samplesIn(0.8f), 0.0f);
+  Samples samples(samplesIn(1.6f), 0.0f);
   const float off = random.nextFloat(0.99f, 1.01f);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double turns = 6.28318530717959 * static_cast<double>(i) / static_cast<double>(kSampleRate);
@@ -43,12 +43,13 @@ Samples laserHit(Random& random) {
 
 Samples laserDischarge(Random& random) {
   Samples samples(samplesIn(0.9f), 0.0f);
+  const float tone = random.nextFloat(0.8f, 1.25f);
   double phase = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(kSampleRate);
-    const float pitch = 70.0f + 1500.0f * exponential(-9.0f * t);
-    const auto tone = static_cast<float>(sineOf(phase) + 0.4 * sineOf(2.01 * phase));
-    samples[i] += 0.6f * tone * exponential(-5.5f * t);
+    const float pitch = tone * (70.0f + 1500.0f * exponential(-9.0f * t));
+    const auto buzz = static_cast<float>(sineOf(phase) + 0.4 * sineOf(2.01 * phase));
+    samples[i] += 0.6f * buzz * exponential(-5.5f * t);
     phase += 6.28318530717959 * static_cast<double>(pitch) / static_cast<double>(kSampleRate);
   }
   addNoise(samples, {0, 0.25f, 0.0005f, 0.18f, 3000.0f, 500.0f, 1.2f, 0.9f}, random);

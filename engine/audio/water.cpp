@@ -28,7 +28,7 @@ void addBubble(Samples& samples, float at, float radius, float amplitude) {
   const float fall = exponential(-pitch / (7.0f * static_cast<float>(kSampleRate)));
   double phase = 0.0;
   float level = amplitude;
-  for (std::size_t i = samplesIn(at); i < samples.size() && level > 1e-4f * amplitude; ++i) {
+  for (std::size_t i = samplesIn(at); i < samples.size() && level * level > 1e-8f * amplitude * amplitude; ++i) {
     samples[i] += level * static_cast<float>(sineOf(phase));
     const float rising = 1.0f + 0.35f * (1.0f - level / amplitude);
     phase += 2.0 * 3.14159265358979 * static_cast<double>(pitch * rising) / static_cast<double>(kSampleRate);
@@ -46,9 +46,10 @@ Samples splash(int size, Random& random) {
            random);
   addNoise(samples, {0, 0.05f, 0.0008f, 0.035f, 3600.0f, 1800.0f, 1.4f, 0.6f * pour.slap}, random);
   // What was thrown up, and what of it comes down again.
+  const float hiss = minOf(2200.0f + 6.0f * pour.dark, 5200.0f);
   addNoise(
       samples,
-      {samplesIn(0.01f), 0.8f * pour.length, 0.03f, 0.55f * pour.length, 5200.0f, 2600.0f, 1.2f, 0.50f * pour.hiss},
+      {samplesIn(0.01f), 0.8f * pour.length, 0.03f, 0.55f * pour.length, hiss, 0.5f * hiss, 1.2f, 0.50f * pour.hiss},
       random);
   addNoise(samples,
            {samplesIn(0.28f * pour.length), 0.7f * pour.length, 0.20f * pour.length, 0.6f * pour.length, 3000.0f,
@@ -59,8 +60,9 @@ Samples splash(int size, Random& random) {
     const float share = random.nextFloat(0.0f, 1.0f);
     const float radius = pour.smallest + (pour.largest - pour.smallest) * share * share;
     const float loud = random.nextFloat(0.15f, 0.5f);
+    const float side = i % 2 == 0 ? 1.0f : -1.0f;  // together they push the membrane to neither
     addBubble(samples, 0.02f + 0.65f * pour.length * late * late, radius,
-              loud * (size == 0 ? 1.0f : 0.6f) * (0.5f + share));
+              side * loud * (size == 0 ? 1.0f : 0.6f) * (0.25f + share));
   }
   return samples;
 }

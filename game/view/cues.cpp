@@ -100,7 +100,7 @@ Cue splashCue(const Event& event, const sim::Camera& camera) {
   return cueAt(event, camera, sound, 0.35f + 0.55f * bySpeed(weight, 0.6f));
 }
 
-constexpr std::uint64_t kHumEvery = 24;         // ticks: half of its length
+constexpr std::uint64_t kHumEvery = 48;         // ticks: half of its length
 constexpr float kHumReach = 14.0f;              // beams farther away are not heard [m]
 constexpr float kBurnReach = 0.6f;              // a crash this near to one is its doing [m]
 constexpr float kCrackleChance = 1.0f / 25.0f;  // in a tick

@@ -28,6 +28,10 @@ constexpr Expected kExpected[] = {
     {Sound::OnSteel, 3500, 8000, 0.05, 0.5},      {Sound::Note, 500, 5000, 0.4, 2.5},
     {Sound::Missed, 200, 600, 0.5, 1.5},          {Sound::Door, 300, 2500, 0.2, 2.5},
     {Sound::Crash, 300, 3000, 0.3, 1.6},          {Sound::Throw, 400, 3000, 0.1, 0.6},
+    {Sound::SplashDrip, 1800, 6500, 0.03, 0.6},   {Sound::SplashSmall, 1500, 6500, 0.1, 0.9},
+    {Sound::SplashMedium, 700, 5500, 0.2, 1.0},   {Sound::SplashLarge, 300, 4500, 0.4, 1.6},
+    {Sound::LaserHum, 120, 300, 0.5, 1.5},        {Sound::LaserHit, 3000, 9000, 0.005, 0.4},
+    {Sound::LaserDischarge, 700, 2600, 0.7, 1.8},
 };
 
 TEST(Synthesis, EverySoundHasItsSpectrumAndItsDecay) {

@@ -51,7 +51,7 @@ TEST(Lasers, AreDemandedOnceByTheLineThatAsksFirst) {
   EXPECT_EQ(game->effects().count(Effect::Lasers), 1u);
   for (const effects::Demand& demand : game->effects().demands())
     if (demand.effect == Effect::Lasers) {
-      EXPECT_EQ(demand.who, "obstacles/probe.lua:3");
+      EXPECT_EQ(demand.who, "probe.lua:3");
     }
 }
 
@@ -98,7 +98,7 @@ TEST(SeenEffects, AreDemandedByTheirCalls) {
   const std::unique_ptr<Game> smoky =
       newTestGame(scripted("function init() end\nfunction tick() mgSmoke(0, 0, 0, 0, 1, 0) end"));
   play(*smoky, 2);
-  EXPECT_EQ(who(*smoky, Effect::Smoke), "obstacles/probe.lua:2");
+  EXPECT_EQ(who(*smoky, Effect::Smoke), "probe.lua:2");
   EXPECT_EQ(smoky->effects().count(Effect::Smoke), 1u);
   const std::unique_ptr<Game> pane = newTestGame(oneRoom("<obstacle pos=\"0 1 -12\" type=\"framedwindow\"/>"));
   play(*pane, 2);
