@@ -26,10 +26,10 @@ std::uint32_t countOf(Sound sound) {
     case Sound::BlastSmall:
     case Sound::BlastMedium:
     case Sound::BlastLarge:
-      return isBuilt(effects::Effect::Explosions) ? 3 : 0;
+      return 3;
     case Sound::TimeSlows:
     case Sound::TimeReturns:
-      return isBuilt(effects::Effect::SlowMotion) ? 1 : 0;
+      return 1;
     case Sound::Throw:
     case Sound::ShardRain:
       return 3;
@@ -50,11 +50,15 @@ Samples ofModule(Sound sound, Random& random) {
   }
   if constexpr (isBuilt(effects::Effect::SlowMotion))
     if (sound == Sound::TimeSlows || sound == Sound::TimeReturns) return timeBend(sound == Sound::TimeReturns);
-  return {};
-}
-
-bool isIn(SoundSet set, Sound sound) {
-  return set == SoundSet::All || isOfPowerUps(sound) == (set == SoundSet::PowerUps);
+  if constexpr (isBuilt(effects::Effect::Water))
+    if (const int size = static_cast<int>(sound) - static_cast<int>(Sound::SplashDrip); size >= 0 && size < 4)
+      return splash(size, random);
+  if constexpr (isBuilt(effects::Effect::Lasers)) {
+    if (sound == Sound::LaserHum) return laserHum(random);
+    if (sound == Sound::LaserHit) return laserHit(random);
+    if (sound == Sound::LaserDischarge) return laserDischarge(random);
+  }
+  return {0.0f};  // of a module that is not there
 }
 
 Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
@@ -106,27 +110,39 @@ Samples synthesize(Sound sound, std::uint32_t variation, Random& random) {
   }
 }
 
+std::vector<Clip> compute(Sound sound) {
+  std::vector<Clip> clips;
+  for (std::uint32_t variation = 0; variation < countOf(sound); ++variation) {
+    Random random(mixSeed(static_cast<std::uint64_t>(sound), variation));
+    clips.emplace_back(synthesize(sound, variation, random));
+  }
+  return clips;
+}
+
 }  // namespace
 
 const char* nameOf(Sound sound) {
   constexpr const char* kNames[] = {
-      "glass_small", "glass_medium", "glass_large", "shard_rain", "tinkle_small",   "tinkle_medium",   "tinkle_large",
-      "on_stone",    "on_wall",      "on_metal",    "on_wood",    "on_glass",       "on_steel",        "note",
-      "missed",      "door",         "crash",       "throw",      "power_up_taken", "power_up_begins", "power_up_ends",
-      "blast_small", "blast_medium", "blast_large", "time_slows", "time_returns"};
+      "glass_small",     "glass_medium",   "glass_large",     "shard_rain",    "tinkle_small", "tinkle_medium",
+      "tinkle_large",    "on_stone",       "on_wall",         "on_metal",      "on_wood",      "on_glass",
+      "on_steel",        "note",           "missed",          "door",          "crash",        "throw",
+      "splash_drip",     "splash_small",   "splash_medium",   "splash_large",  "laser_hum",    "laser_hit",
+      "laser_discharge", "power_up_taken", "power_up_begins", "power_up_ends", "blast_small",  "blast_medium",
+      "blast_large",     "time_slows",     "time_returns"};
   static_assert(sizeof kNames / sizeof *kNames == static_cast<std::size_t>(Sound::Count));
   return sound < Sound::Count ? kNames[static_cast<std::size_t>(sound)] : "none";
 }
 
-Bank::Bank(SoundSet set) {
+Bank::Bank() {
   BR_ZONE("bank");
-  for (std::size_t i = 0; i < clips_.size(); ++i) {
-    const auto sound = static_cast<Sound>(i);
-    for (std::uint32_t variation = 0; isIn(set, sound) && variation < countOf(sound); ++variation) {
-      Random random(mixSeed(i, variation));
-      clips_[i].emplace_back(synthesize(sound, variation, random));
-    }
-  }
+  for (Sound sound = Sound::GlassSmall; !isLate(sound); sound = static_cast<Sound>(static_cast<int>(sound) + 1))
+    clips_[static_cast<std::size_t>(sound)] = compute(sound);
+}
+
+const Bank::Clips& Bank::clipsOf(Sound sound) const {
+  Clips& clips = clips_[static_cast<std::size_t>(sound)];
+  if (clips.empty()) clips = compute(sound);
+  return clips;
 }
 
 std::size_t Bank::bytes() const {

@@ -29,7 +29,14 @@ enum class Sound : std::uint8_t {
   Door,
   Crash,
   Throw,
-  PowerUpTaken,  // from here on: of power-ups, see SoundSet
+  SplashDrip,  // from here on computed when first asked for; into water: by the size and speed of what falls in
+  SplashSmall,
+  SplashMedium,
+  SplashLarge,
+  LaserHum,  // to be overlapped by half: sounds on and on
+  LaserHit,
+  LaserDischarge,
+  PowerUpTaken,
   PowerUpBegins,
   PowerUpEnds,
   BlastSmall,  // the module of explosions
@@ -40,11 +47,9 @@ enum class Sound : std::uint8_t {
   Count
 };
 
-/// Which sounds are computed.
-enum class SoundSet : std::uint8_t { All, Common, PowerUps };
-
-inline bool isOfPowerUps(Sound sound) {
-  return sound >= Sound::PowerUpTaken;
+/// Whether only some rooms have it: computed when it is first asked for.
+inline bool isLate(Sound sound) {
+  return sound > Sound::Throw;
 }
 
 inline constexpr std::uint32_t kNotes = 12;
@@ -55,19 +60,22 @@ const char* nameOf(Sound sound);
 
 class Bank {
  public:
-  /// Computes them; all of them take about a quarter of a second. The same samples on every machine. Sounds of modules
-  /// that are not compiled in have no variations.
-  explicit Bank(SoundSet set = SoundSet::All);
+  /// Computes what every game has; takes about a fifth of a second. The same samples on every machine.
+  Bank();
   std::uint32_t variations(Sound sound) const { return static_cast<std::uint32_t>(clipsOf(sound).size()); }
-  /// `variation` counts on from the beginning when there are not so many. Only of a sound that has any.
+  /// `variation` counts on from the beginning when there are not so many. From the game's thread; the clip itself may
+  /// be read by any.
   const Clip& clip(Sound sound, std::uint32_t variation) const {
     return clipsOf(sound)[variation % clipsOf(sound).size()];
   }
+  /// Computes a late sound ahead of its time.
+  void prepare(Sound sound) const { clipsOf(sound); }
   std::size_t bytes() const;
 
  private:
-  const std::vector<Clip>& clipsOf(Sound sound) const { return clips_[static_cast<std::size_t>(sound)]; }
-  std::array<std::vector<Clip>, static_cast<std::size_t>(Sound::Count)> clips_;
+  using Clips = std::vector<Clip>;
+  const Clips& clipsOf(Sound sound) const;
+  mutable std::array<Clips, static_cast<std::size_t>(Sound::Count)> clips_;  // late ones: empty until asked for
 };
 
 }  // namespace brittle::audio

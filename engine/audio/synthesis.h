@@ -33,6 +33,14 @@ Samples crash(Random& random);
 Samples door(Random& random);
 /// A ball leaves the hand.
 Samples swoosh(Random& random);
+/// Something falls into water, of four sizes: 0 a drop, 3 a heavy thing.
+Samples splash(int size, Random& random);
+/// A steady beam: rises and falls like half a sine, so that two of them half a length apart sound as one.
+Samples laserHum(Random& random);
+/// A beam burns into something.
+Samples laserHit(Random& random);
+/// A beam's source bursts, or it strikes somebody.
+Samples laserDischarge(Random& random);
 /// A glass tone that sags: a chance was missed.
 Samples sigh();
 

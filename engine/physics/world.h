@@ -84,6 +84,8 @@ class World {
   // Changing.
   void setVelocity(BodyHandle body, const Vec3& velocity, const Vec3& angularVelocity);
   void setPose(BodyHandle body, const Transform& pose);
+  /// What a medium does to an awake body, tick by tick: it may come to rest in it.
+  void drag(BodyHandle body, const Vec3& velocity, const Vec3& angularVelocity);
   void setBreakable(BodyHandle body, const Breakable& breakable);
   void setAccuracy(const Accuracy& accuracy);
   const Accuracy& accuracy() const;

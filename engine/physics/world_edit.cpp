@@ -125,6 +125,13 @@ void World::setVelocity(BodyHandle handle, const Vec3& velocity, const Vec3& ang
   wakeBody(*state_, handle);
 }
 
+void World::drag(BodyHandle handle, const Vec3& velocity, const Vec3& angularVelocity) {
+  Body& body = state_->bodies[handle];
+  BR_ASSERT(body.isDynamic() && body.awake && isFinite(velocity) && isFinite(angularVelocity));
+  body.velocity = velocity;
+  body.angularVelocity = angularVelocity;
+}
+
 void World::setPose(BodyHandle handle, const Transform& pose) {
   BR_ASSERT(isPlace(pose.position) && isRotation(pose.rotation));
   State& state = *state_;

@@ -83,6 +83,14 @@ void InstanceBatch::make(const Gl& gl) {
   attach(gl, buffer_.name(), stride_, layout_, 1);
 }
 
+void StreamBatch::make(const Gl& gl) {
+  vertices_ = GlBuffer(gl);
+  indices_ = GlBuffer(gl);
+  array_ = GlVertexArray(gl);
+  gl.BindVertexArray(array_.name());
+  attach(gl, vertices_.name(), stride_, layout_);
+}
+
 void SphereBatch::make(const Gl& gl) {
   const std::array<Attribute, 1> pointLayout = {{{0, 3, GL_FLOAT, Attribute::As::Float, 0}}};
   const std::vector<std::uint16_t> indices = sphereIndices();

@@ -52,6 +52,31 @@ class InstanceBatch {
   GlVertexArray array_;
 };
 
+/// Indexed triangles made anew for every frame. Takes nothing from GL before the first draw.
+class StreamBatch {
+ public:
+  /// `layout` must outlive it.
+  StreamBatch(GLsizei stride, std::span<const Attribute> layout) : stride_(stride), layout_(layout) {}
+
+  template <class T>
+  void draw(const Gl& gl, const std::vector<T>& vertices, const std::vector<std::uint32_t>& indices) {
+    if (indices.empty()) return;
+    if (!array_) make(gl);
+    gl.BindVertexArray(array_.name());
+    stream(gl, GL_ARRAY_BUFFER, vertices_.name(), vertices);
+    stream(gl, GL_ELEMENT_ARRAY_BUFFER, indices_.name(), indices);
+    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  }
+
+ private:
+  void make(const Gl& gl);
+
+  GLsizei stride_;
+  std::span<const Attribute> layout_;
+  GlBuffer vertices_, indices_;
+  GlVertexArray array_;
+};
+
 /// Instances of the built-in sphere. Takes nothing from GL before the first draw.
 class SphereBatch {
  public:

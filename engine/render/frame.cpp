@@ -26,11 +26,15 @@ void Frame::clear() {
   glows.clear();
   beams.clear();
   shadows.clear();
+  waters.clear();
+  lasers.clear();
+  puffs.clear();
   decals.clear();
   quads.clear();
   arcs.clear();
   texts.clear();
   mirrorHeight.reset();
+  focus = {};
   bloom = 0.0f;
   tint = border = Vec4::Zero();
 }

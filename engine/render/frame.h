@@ -135,6 +135,33 @@ struct Decal {
   float cover = 1.0f;                // 1: hides what is behind it, 0: adds to it
 };
 
+/// A puff of smoke: a soft ball that lets through what is behind it, and ends softly where it meets anything.
+struct Puff {
+  Vec3 position = Vec3::Zero();  // [m]
+  float radius = 0.3f;           // [m]
+  std::uint32_t color = kWhite;  // alpha scales how much it hides
+  float turn = 0.0f;             // of its pattern [rad]
+  float pattern = 0.0f;          // which: any number
+};
+
+/// Blur of what is far away.
+struct Focus {
+  float distance = 10.0f;  // sharp up to here [m]
+  float range = 10.0f;     // wholly blurred after so much more [m] > 0
+  float strength = 0.0f;   // [0, 1]; 0: no such stage
+};
+
+/// A level surface of water with waves on it: a grid of cells, rows from low z to high z, corners from low x to high x.
+struct Water {
+  Vec3 center = Vec3::Zero();    // [m]
+  Vec2 halfSize = Vec2::Ones();  // in x and z [m]
+  int columns = 1, rows = 1;     // cells along x and z
+  std::vector<float> heights;    // of the (columns + 1) (rows + 1) corners above the surface [m]
+  std::vector<float> foam;       // of each, 0 clear to 1 white
+  float along = 0.0f;            // added to z gives a place that stays where it is: of its finest waves [m]
+  float seconds = 0.0f;          // by which those move
+};
+
 /// Baked room geometry, made by Renderer::createStatic. 0 is null.
 using StaticId = std::uint32_t;
 
@@ -194,6 +221,9 @@ struct Frame {
   std::vector<Glow> glows;
   std::vector<Beam> beams;
   std::vector<Shadow> shadows;
+  std::vector<Beam> lasers;           // with a halo; seen in the mirror too
+  std::vector<Puff> puffs;            // drawn in this order: farthest first
+  std::vector<Water> waters;          // drawn in this order: farthest first
   std::vector<Decal> decals;          // drawn in this order
   std::optional<float> mirrorHeight;  // of a polished floor that shows the room upside down [m]; none: no such stage
   float sphereShadow = 0.6f;          // opacity of the shadows of spheres; 0: none
@@ -201,6 +231,7 @@ struct Frame {
   std::vector<HudQuad> quads;  // drawn in this order: quads, arcs, texts
   std::vector<HudArc> arcs;
   std::vector<HudText> texts;
+  Focus focus;
   float bloom = 0.0f;          // how far bright things shine beyond their outline; 0: no such stage [0, 1]
   Vec4 tint = Vec4::Zero();    // colour over the whole picture below the HUD: rgb, alpha
   Vec4 border = Vec4::Zero();  // the same, strongest at the picture's border (a crash)

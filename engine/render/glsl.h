@@ -23,6 +23,12 @@ extern const ProgramSource kGlass;       // translucent convexes
 extern const ProgramSource kEdge;        // bright lines
 extern const ProgramSource kGlow;        // additive discs
 extern const ProgramSource kBeam;        // additive capsules
+extern const ProgramSource kWater;       // a level surface with waves
+extern const ProgramSource kLaser;       // beams with a halo
+extern const ProgramSource kPuff;        // smoke
+extern const ProgramSource kFar;         // what is out of focus, half as large
+extern const ProgramSource kDisc;        // that, blurred
+extern const ProgramSource kFocus;       // that, over the scene
 extern const ProgramSource kBright;      // what shines beyond its outline, small
 extern const ProgramSource kBlur;        // that, blurred one way
 extern const ProgramSource kComposite;   // scene to picture

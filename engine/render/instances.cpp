@@ -23,6 +23,10 @@ std::array<float, 4> placeOf(const Vec3& center, float radius) {
   return {center.x(), center.y(), center.z(), radius};
 }
 
+void packBeams(const std::vector<Beam>& from, std::vector<BeamInstance>& packed) {
+  for (const Beam& b : from) packed.push_back({placeOf(b.from, b.radius), {b.to.x(), b.to.y(), b.to.z()}, b.color});
+}
+
 /// The picture's size and its HUD height. [px]
 struct Sheet {
   float width, height;
@@ -69,10 +73,11 @@ void Instances::packBodies(const Frame& frame, const View& view) {
     if (view.sees(g.position, g.radius * reach, farthest))
       glows.push_back({placeOf(g.position, g.radius), g.color, g.cover, g.star});
   }
-  for (const Beam& b : frame.beams) {
-    const std::array<float, 3> to = {b.to.x(), b.to.y(), b.to.z()};
-    beams.push_back({placeOf(b.from, b.radius), to, b.color});
-  }
+  packBeams(frame.beams, beams);
+  packBeams(frame.lasers, lasers);
+  for (const Puff& p : frame.puffs)
+    if (view.sees(p.position, p.radius * reach, farthest))
+      puffs.push_back({placeOf(p.position, p.radius), p.color, p.turn, p.pattern});
 }
 
 void Instances::packShadows(const Frame& frame, const View& view) {
@@ -124,6 +129,8 @@ void Instances::pack(const Frame& frame, const View& view, int width, int height
   crumbs.clear();
   glows.clear();
   beams.clear();
+  lasers.clear();
+  puffs.clear();
   shadows.clear();
   decals.clear();
   hud.clear();

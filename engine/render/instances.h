@@ -34,6 +34,12 @@ struct BeamInstance {
   std::uint32_t color;
 };
 
+struct PuffInstance {
+  std::array<float, 4> place;  // centre, radius [m]
+  std::uint32_t color;
+  float turn, pattern;
+};
+
 struct DecalInstance {
   std::array<float, 4> place;  // centre, cell of the atlas
   std::array<float, 4> right;  // half its width, coverage
@@ -60,7 +66,8 @@ struct Instances {
   std::vector<SphereInstance> spheres;
   std::vector<CrumbInstance> crumbs;
   std::vector<GlowInstance> glows;
-  std::vector<BeamInstance> beams;
+  std::vector<BeamInstance> beams, lasers;
+  std::vector<PuffInstance> puffs;
   std::vector<ShadowInstance> shadows;
   std::vector<DecalInstance> decals;
   std::vector<HudInstance> hud;

@@ -23,6 +23,7 @@ constexpr std::array<Attribute, 2> kCrumbLayout = {
     {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}}};
 constexpr std::array<Attribute, 3> kGlowLayout = {
     {{1, 4, GL_FLOAT, As::Float, 0}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 16}, {3, 2, GL_FLOAT, As::Float, 20}}};
+static_assert(sizeof(PuffInstance) == sizeof(GlowInstance), "they share the layout above");
 constexpr std::array<Attribute, 3> kBeamLayout = {
     {{0, 4, GL_FLOAT, As::Float, 0}, {1, 3, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 28}}};
 constexpr std::array<Attribute, 4> kDecalLayout = {{{0, 4, GL_FLOAT, As::Float, 0},
@@ -37,6 +38,7 @@ constexpr std::array<Attribute, 4> kEdgeLayout = {{{0, 3, GL_FLOAT, As::Float, 0
                                                    {3, 1, GL_FLOAT, As::Float, 28}}};
 constexpr std::array<Attribute, 3> kHudLayout = {
     {{0, 4, GL_FLOAT, As::Float, 0}, {1, 4, GL_FLOAT, As::Float, 16}, {2, 4, GL_UNSIGNED_BYTE, As::Normalized, 32}}};
+constexpr std::array<Attribute, 2> kWaterLayout = {{{0, 3, GL_FLOAT, As::Float, 0}, {1, 3, GL_FLOAT, As::Float, 12}}};
 
 }  // namespace
 
@@ -52,7 +54,10 @@ Passes::Passes(const Gl& gl)
       decalBatch_(sizeof(DecalInstance), kDecalLayout),
       shadowBatch_(sizeof(ShadowInstance), kShadowLayout),
       edgeBatch_(sizeof(EdgeInstance), kEdgeLayout),
-      hudBatch_(sizeof(HudInstance), kHudLayout) {}
+      hudBatch_(sizeof(HudInstance), kHudLayout),
+      laserBatch_(sizeof(BeamInstance), kBeamLayout),
+      puffBatch_(sizeof(PuffInstance), kGlowLayout),
+      waterBatch_(sizeof(WaterVertex), kWaterLayout) {}
 
 Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
   std::unique_ptr<Passes> passes(new Passes(gl));
@@ -64,23 +69,28 @@ Result<std::unique_ptr<Passes>> Passes::create(const Gl& gl) {
 }
 
 Status Passes::build(Which which) {
-  static const ProgramSource* const sources[kPrograms] = {
-      &glsl::kBackground,
-      &glsl::kRoom,
-      &glsl::kSolid,
-      &glsl::kSphere,
-      &glsl::kCrumb,
-      isBuilt(Effect::Decals) ? &glsl::kDecal : nullptr,
-      isBuilt(Effect::Shadows) ? &glsl::kShadow : nullptr,
-      &glsl::kGlass,
-      &glsl::kEdge,
-      &glsl::kGlow,
-      &glsl::kBeam,
-      isBuilt(Effect::Bloom) ? &glsl::kBright : nullptr,
-      isBuilt(Effect::Bloom) ? &glsl::kBlur : nullptr,
-      &glsl::kComposite,
-      &glsl::kHud,
-      &glsl::kOverlay};
+  static const ProgramSource* const sources[kPrograms] = {&glsl::kBackground,
+                                                          &glsl::kRoom,
+                                                          &glsl::kSolid,
+                                                          &glsl::kSphere,
+                                                          &glsl::kCrumb,
+                                                          isBuilt(Effect::Decals) ? &glsl::kDecal : nullptr,
+                                                          isBuilt(Effect::Shadows) ? &glsl::kShadow : nullptr,
+                                                          &glsl::kGlass,
+                                                          &glsl::kEdge,
+                                                          &glsl::kGlow,
+                                                          &glsl::kBeam,
+                                                          isBuilt(Effect::Bloom) ? &glsl::kBright : nullptr,
+                                                          isBuilt(Effect::Bloom) ? &glsl::kBlur : nullptr,
+                                                          &glsl::kComposite,
+                                                          &glsl::kHud,
+                                                          &glsl::kOverlay,
+                                                          isBuilt(Effect::Water) ? &glsl::kWater : nullptr,
+                                                          isBuilt(Effect::Lasers) ? &glsl::kLaser : nullptr,
+                                                          isBuilt(Effect::Smoke) ? &glsl::kPuff : nullptr,
+                                                          isBuilt(Effect::DepthOfField) ? &glsl::kFar : nullptr,
+                                                          isBuilt(Effect::DepthOfField) ? &glsl::kDisc : nullptr,
+                                                          isBuilt(Effect::DepthOfField) ? &glsl::kFocus : nullptr};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();

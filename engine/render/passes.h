@@ -13,6 +13,7 @@
 #include "engine/render/mesh_store.h"
 #include "engine/render/shader.h"
 #include "engine/render/target.h"
+#include "engine/render/water.h"
 
 namespace brittle::render {
 
@@ -38,12 +39,19 @@ class Passes {
   void decals(const std::vector<DecalInstance>& instances);
   /// Reads the depth copy, as refraction does.
   void shadows(const std::vector<ShadowInstance>& instances);
+  /// Reads the depth and the colour copy, unless `refraction` is 0 (see glass).
+  void water(const Water& water, float refraction);
   /// `refraction` [picture heights]: how far a fully tilted surface looks aside; 0: off, and then the colour copy is
   /// not read. `cut`: the faces are where it broke.
   void glass(const MeshStore& store, const std::vector<std::uint32_t>& indices, float refraction, bool cut);
   void edges(const MeshStore& store, const std::vector<EdgeInstance>& instances);
   void glows(const std::vector<GlowInstance>& instances);
   void beams(const std::vector<BeamInstance>& instances);
+  void lasers(const std::vector<BeamInstance>& instances);
+  /// Reads the depth copy.
+  void puffs(const std::vector<PuffInstance>& instances);
+  /// Blurs what the scene shows so far where it is far away.
+  void focus(Target& target, const Focus& focus);
 
   // Into the picture:
   /// `bloom`: how strongly bright places shine beyond their outline; 0 skips the stage.
@@ -72,6 +80,12 @@ class Passes {
     kCompositeProgram,
     kHudProgram,
     kOverlayProgram,
+    kWaterProgram,
+    kLaserProgram,
+    kPuffProgram,
+    kFarProgram,
+    kDiscProgram,
+    kFocusProgram,
     kPrograms
   };
   /// The vec4s a program may have of its own.
@@ -102,8 +116,12 @@ class Passes {
   GlVertexArray empty_;  // passes without attributes still need one bound
   GlTexture glyphs_, tiles_, decals_;
   SphereBatch sphereBatch_;
-  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_;
+  InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_, laserBatch_,
+      puffBatch_;
   OverlayBatch overlayBatch_;
+  StreamBatch waterBatch_;
+  std::vector<WaterVertex> waterVertices_;  // kept to avoid allocating every frame
+  std::vector<std::uint32_t> waterIndices_;
   FrameCounters counters_;
 };
 

@@ -49,8 +49,9 @@ struct Renderer::Parts {
   void drawRooms(const Frame& frame, bool polished);
   void drawMirrored(const Frame& frame, const FrameUniforms& uniforms);
   void drawOpaque(const Frame& frame);
-  void drawShadows(bool refracts);
-  void drawTranslucent();
+  void drawShadows(const Frame& frame, bool refracts);
+  void drawWaters(const Frame& frame);
+  void drawTranslucent(const Frame& frame);
 };
 
 Group& Renderer::Parts::storeOf(const MeshGroup& group) {
@@ -96,6 +97,7 @@ void Renderer::Parts::drawMirrored(const Frame& frame, const FrameUniforms& unif
     drawRooms(frame, false);
     for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
     passes->spheres(instances.spheres);
+    if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
     passes->endMirror();
   }
 }
@@ -109,18 +111,28 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   if constexpr (isBuilt(Effect::Decals)) passes->decals(instances.decals);
 }
 
-void Renderer::Parts::drawShadows(bool refracts) {
+void Renderer::Parts::drawShadows(const Frame& frame, bool refracts) {
   BR_ZONE("render shadows");
-  if (refracts || !instances.shadows.empty()) target->copyDepth(kUnitDepth);
+  const bool seesThrough = refracts || (!frame.waters.empty() && def.refraction);
+  if (seesThrough || !instances.shadows.empty() || !instances.puffs.empty()) target->copyDepth(kUnitDepth);
   if constexpr (isBuilt(Effect::Shadows)) passes->shadows(instances.shadows);
+  drawWaters(frame);
   if (refracts) target->copyColor(kUnitColor);
 }
 
-void Renderer::Parts::drawTranslucent() {
+void Renderer::Parts::drawWaters(const Frame& frame) {
+  if (frame.waters.empty()) return;
+  BR_ZONE("render water");
+  if (def.refraction) target->copyColor(kUnitColor);
+  if constexpr (isBuilt(Effect::Water))
+    for (const Water& water : frame.waters) passes->water(water, def.refraction ? kRefraction : 0.0f);
+}
+
+void Renderer::Parts::drawTranslucent(const Frame& frame) {
   BR_ZONE("render glass");
   const bool hasGlass = std::any_of(groups.begin(), groups.end(),
                                     [](const Group* g) { return !g->list.glass.empty() || !g->list.cuts.empty(); });
-  drawShadows(hasGlass && def.refraction);
+  drawShadows(frame, hasGlass && def.refraction);
   for (const Group* group : groups) {
     for (const bool cut : {false, true})
       passes->glass(*group->store, cut ? group->list.cuts : group->list.glass, def.refraction ? kRefraction : 0.0f,
@@ -128,6 +140,8 @@ void Renderer::Parts::drawTranslucent() {
     passes->edges(*group->store, group->list.edges);
   }
   passes->beams(instances.beams);
+  if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
+  if constexpr (isBuilt(Effect::Smoke)) passes->puffs(instances.puffs);
   passes->glows(instances.glows);
 }
 
@@ -189,7 +203,9 @@ void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   p.passes->background();
   if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
-  p.drawTranslucent();
+  if constexpr (isBuilt(Effect::DepthOfField))
+    if (frame.focus.strength > 0.0f) p.passes->focus(*p.target, frame.focus);
+  p.drawTranslucent(frame);
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);
   if (overlay != nullptr) p.passes->overlay(*overlay, width, height);

@@ -103,11 +103,22 @@ void Target::resolve(GLint unit) {
   }
 }
 
+void Target::bindPart(Copy& part, int width, int height) {
+  if (!part.texture) part = makeCopy(kColorFormat, GL_COLOR_ATTACHMENT0, width, height);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, part.framebuffer.name());
+  gl_.Viewport(0, 0, width, height);
+}
+
 void Target::bindSmall(std::size_t which) {
-  Copy& small = small_[which];
-  if (!small.texture) small = makeCopy(kColorFormat, GL_COLOR_ATTACHMENT0, smallWidth(), smallHeight());
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, small.framebuffer.name());
-  gl_.Viewport(0, 0, smallWidth(), smallHeight());
+  bindPart(small_[which], smallWidth(), smallHeight());
+}
+
+void Target::bindHalf(std::size_t which) {
+  bindPart(half_[which], (width_ + 1) / 2, (height_ + 1) / 2);
+}
+
+void Target::useHalf(std::size_t which, GLint unit) const {
+  bindTexture(gl_, unit, half_[which].texture.name());
 }
 
 void Target::useSmall(std::size_t which, GLint unit) const {

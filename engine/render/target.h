@@ -32,6 +32,9 @@ class Target {
   void useSmall(std::size_t which, GLint unit) const;
   int smallWidth() const { return maxOf(width_ / kSmall, 1); }
   int smallHeight() const { return maxOf(height_ / kSmall, 1); }
+  /// The same at half the width and height.
+  void bindHalf(std::size_t which);
+  void useHalf(std::size_t which, GLint unit) const;
   Image readPicture() const;
 
  private:
@@ -42,6 +45,7 @@ class Target {
   static constexpr int kSmall = 4;
   Copy makeCopy(GLenum format, GLenum attachment, int width, int height) const;
   void blit(Copy& copy, GLenum format, GLbitfield what, GLint unit);
+  void bindPart(Copy& part, int width, int height);
   void checkComplete();
   GlRenderbuffer makeRenderbuffer(GLenum format, GLenum attachment, int samples) const;
 
@@ -51,7 +55,7 @@ class Target {
   Copy scene_;  // without multisampling its colour is a texture
   GlRenderbuffer sceneColor_, sceneDepth_;
   Copy colorCopy_, depthCopy_, resolved_;
-  std::array<Copy, 2> small_;
+  std::array<Copy, 2> small_, half_;
   GlFramebuffer picture_;
   GlRenderbuffer pictureColor_;
 };

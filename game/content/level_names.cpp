@@ -70,7 +70,9 @@ constexpr std::string_view kObstacles[] = {
     "dropblock", "hitblock", "flycube", "levicube",
     // others
     "laser", "pyramid", "bowling", "elevator", "elevatorgrid", "grid", "test", "stone", "boss/single", "boss/cube",
-    "boss/triple", "boss/matryoshka", "boss/telecube", "fence/carousel", "fence/slider", "fence/dna"};
+    "boss/triple", "boss/matryoshka", "boss/telecube", "fence/carousel", "fence/slider", "fence/dna",
+    // ours
+    "vent"};
 
 bool holds(Names names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -10,9 +10,9 @@ namespace {
 constexpr std::string_view kCalls[] = {
     // rooms
     "mgSegment", "confSegment", "nextSegment", "mgLength", "mgMusic", "mgFogColor", "mgReverb", "mgEcho", "mgLowPass",
-    "mgGravity", "mgSetRotation", "mgRotation", "mgParticles", "mgSetDifficulty", "mgGetBool", "mgGetInt", "mgGetFloat",
-    "mgGetString", "mgGet", "mgSet", "mgRndFloat", "mgRndInt", "mgRndBool", "mgRandomize", "mgBox", "mgColor",
-    "mgTexture", "mgObstacle", "mgPowerUp", "mgGetSplitExtraRoomLength",
+    "mgGravity", "mgSetRotation", "mgRotation", "mgParticles", "mgDepthOfField", "mgSetDifficulty", "mgGetBool",
+    "mgGetInt", "mgGetFloat", "mgGetString", "mgGet", "mgSet", "mgRndFloat", "mgRndInt", "mgRndBool", "mgRandomize",
+    "mgBox", "mgColor", "mgTexture", "mgObstacle", "mgPowerUp", "mgGetSplitExtraRoomLength",
     // obstacles: bodies and shapes
     "mgCreateBody", "mgCreateBox", "mgCreateCylinder", "mgCreateMesh", "mgClearShapes", "mgTranslateShape",
     "mgMaterial", "mgDensity", "mgForceLimit", "mgRoundness", "mgShapeChamfer", "mgShapeScale", "mgHideEdges",

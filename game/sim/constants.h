@@ -105,6 +105,17 @@ inline constexpr float kSmallestShare =
     1.0f / 1000.0f;  // and below this share of the thing [-]; much less, and a big block makes 2,000 bodies
 inline constexpr float kGravity = 9.81f;  // [m/s2] at the format's gravity 1
 
+// Water.
+inline constexpr float kWaterDensity = 1000.0f;  // beside a ball, which weighs what steel weighs [kg/m3]
+inline constexpr float kFormatWaterDensity =
+    100.0f;  // beside the format's materials: their density 1 is 250 kg/m3, a tenth of glass; above 250 glass floats
+inline constexpr float kBallDrag = 0.47f;          // [-] of a smooth sphere. Source: Hoerner, Fluid-Dynamic Drag, 1965
+inline constexpr float kBodyDrag = 1.05f;          // [-] of a cube, as there
+inline constexpr float kWaterSpin = 2.0f;          // turning dies down at this rate [1/s]; above 30 things stop at once
+inline constexpr float kSplashSpeed = 0.4f;        // what goes in slower makes no splash [m/s]
+inline constexpr std::uint32_t kMaxSplashes = 16;  // of a room in a tick: shards that rain in
+inline constexpr std::uint32_t kMaxWatersPerRoom = 64;  // each body looks at each of them
+
 // Collision categories (bits), the format's.
 inline constexpr std::uint32_t kCategoryDefault = 1;
 inline constexpr std::uint32_t kCategoryCrystal = 4;

@@ -32,7 +32,8 @@ enum class EventType : std::uint8_t {
   PowerUpCollected,  // by a ball; value: which PowerUp
   PowerUpUsed,       // value: which
   PowerUpEnded,      // has run out; value: which
-  Explosion          // size: how far it pushes [m]; value: things broken; impulse: given to what is loose [N s]
+  Explosion,         // size: how far it pushes [m]; value: things broken; impulse: given to what is loose [N s]
+  Splash             // something fell into water; direction: its velocity [m/s]; value: 1 if it was a ball
 };
 
 struct Event {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -113,6 +114,19 @@ struct RopeView {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
+/// A laser.
+struct BeamView {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // [m]
+  bool hits = false;                            // something stands where it ends
+};
+
+/// A level surface of water.
+struct WaterView {
+  Vec3 center = Vec3::Zero();           // [m]
+  Vec2 halfExtents = Vec2::Ones();      // in x and z [m]
+  std::array<int, 2> cells = {32, 32};  // along x and z
+};
+
 /// One of the at most two rooms alive: the one the camera is in and the next one.
 struct RoomView {
   std::uint64_t number = 0;  // counts up through the game
@@ -123,13 +137,15 @@ struct RoomView {
   float echo[4] = {0, 0, 0, 0};                          // volume, delay [s], feedback, low-pass
   float lowPass = 0.0f;
   effects::EffectMask effects;   // that run in it
+  float focus[3] = {0, 0, 0};    // sharp up to [m], blurred after so much more [m], strength
   std::string music, particles;  // names; empty: none
   std::vector<PlacedSegment> segments;
   std::vector<BodyPose> bodies;    // by body slot
   Vec3 bodyOffset = Vec3::Zero();  // added already to every pose of this room
   std::vector<CrumbView> crumbs;
   std::vector<RopeView> ropes;
-  std::vector<RopeView> beams;  // lasers
+  std::vector<BeamView> beams;  // lasers
+  std::vector<WaterView> waters;
   std::vector<BodyDecal> bodyDecals;
   std::vector<PickupView> pickups;
 };

@@ -134,11 +134,11 @@ struct Obstacle {
   std::vector<ScriptShape> shapes;
   std::vector<physics::JointHandle> joints;
   std::vector<ScriptButton> buttons;
-  std::unique_ptr<script::Sandbox> script;   // while alive
-  std::vector<std::pair<Vec3, Vec3>> beams;  // lasers of this tick, local frame; made anew every tick
-  std::vector<BodyDecal> decals;             // of this tick too
-  bool paints = false;                       // has asked for one before: they are demanded once
-  bool muted = false;                        // while its source is loaded again by a restore
+  std::unique_ptr<script::Sandbox> script;  // while alive
+  std::vector<BeamView> beams;              // lasers of this tick, local frame; made anew every tick
+  std::vector<BodyDecal> decals;            // of this tick too
+  bool paints = false;                      // has asked for one before: they are demanded once
+  bool muted = false;                       // while its source is loaded again by a restore
 
   /// Since it came alive. [ticks of the game's time]
   float age() const;

@@ -12,6 +12,9 @@ void addMotionCalls(script::Library& library);  // drives, velocities
 void addQueryCalls(script::Library& library);   // rays, poses, camera
 void addPlayCalls(script::Library& library);    // score, sound, time, parameters
 
+/// mgLaser: a beam that ends at the first thing in its way and hurts when it meets the camera.
+void castLaser(script::Call& call, Obstacle& obstacle);
+
 /// Adds a call whose native gets the obstacle; while the obstacle is muted the call does nothing and answers 0.
 void addCall(script::Library& library, const char* name, void (*native)(script::Call&, Obstacle&));
 

@@ -68,22 +68,11 @@ void setButtonDown(script::Call& call, Obstacle& obstacle) {
   if (!call.failed()) obstacle.setDown(*button, down);
 }
 
-/// A beam that ends at the first thing in its way and hurts when it meets the camera.
 void laser(script::Call& call, Obstacle& obstacle) {
-  const Vec3 from = readVector(call, 1, rules::kFarthest);
-  const Vec3 way = readVector(call, 4, rules::kFarthest);
-  if (call.failed()) return;
-  const Vec3 start = obstacle.pose().toWorld(from);
-  const Vec3 direction = obstacle.pose().rotate(normalizedOr(way, Vec3::UnitX()));
-  Vec3 end = start + direction * rules::kLaserReach;
-  chargeForRay(call, obstacle, start, end);
-  const physics::RayResult ray = obstacle.room->world().castRay(start, end);
-  if (ray.hit) end = ray.point;
-  const Vec3 eye = obstacle.room->viewpoint().position;
-  const Vec3 beam = end - start;
-  const float along = clampTo((eye - start).dot(beam) / maxOf(beam.squaredNorm(), 1e-12f), 0.0f, 1.0f);
-  if ((start + beam * along - eye).norm() < rules::kCameraRadius) obstacle.laser = true;
-  obstacle.beams.push_back({start, end});
+  if (!obstacle.room->effects().has(effects::Effect::Lasers))
+    obstacle.room->demand(effects::Effect::Lasers, call.where());
+  if constexpr (effects::isBuilt(effects::Effect::Lasers))
+    if (obstacle.room->runs(effects::Effect::Lasers)) castLaser(call, obstacle);
 }
 
 /// Something that is only seen, at the point that the first three arguments say.
@@ -99,6 +88,8 @@ void show(script::Call& call, Obstacle& obstacle, EventType type, const Vec3& di
 }
 
 void smoke(script::Call& call, Obstacle& obstacle) {
+  if (!obstacle.room->effects().has(effects::Effect::Smoke))
+    obstacle.room->demand(effects::Effect::Smoke, call.where());
   constexpr float fastest = 20.0f;  // [m/s]
   show(call, obstacle, EventType::Smoke, readVector(call, 4, fastest, Vec3::Zero()));
 }

@@ -50,10 +50,11 @@ void strengthen(physics::World& world, ScriptBody& body, physics::Breakable brea
   world.setBreakable(body.handle, breakable);
 }
 
-/// What breaks leaves pieces too small to be bodies.
+/// What breaks leaves pieces too small to be bodies, and is seen to.
 void demandBreaking(Room& room, const std::string& who) {
   room.demand(effects::Effect::Fracture, who);
   room.demand(effects::Effect::Debris, who);
+  room.demand(effects::Effect::Splinters, who);
 }
 
 void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, int firstPlaceArgument) {

@@ -56,11 +56,16 @@ void Room::tick(float distance, float speed, std::int32_t ticks, const TimeStep&
   startObstacles(distance);
   startPickups(distance);
   runScripts(&Obstacle::tickScript);
+  if constexpr (effects::isBuilt(effects::Effect::Water))
+    if (runs(effects::Effect::Water))
+      waters_.slow(*world_, plan_.waters, shift_, plan_.settings.gravity, time.seconds());
   world_->step(time.seconds());
   readEvents();
   collectPickups();
   if constexpr (effects::isBuilt(effects::Effect::Explosions))
-    if (plan_.effects.runs(effects::Effect::Explosions)) explodeBalls();
+    if (runs(effects::Effect::Explosions)) explodeBalls();
+  if constexpr (effects::isBuilt(effects::Effect::Water))
+    if (runs(effects::Effect::Water)) readSplashes();
   removeBehind();
   thinOut();
   runScripts(&Obstacle::drawScript);

@@ -17,6 +17,7 @@
 #include "game/sim/room_plan.h"
 #include "game/sim/session.h"
 #include "game/sim/sight.h"
+#include "game/sim/water.h"
 
 namespace brittle::sim {
 
@@ -152,6 +153,8 @@ class Room {
   void settleObstacles(const std::vector<std::uint32_t>& bodiesOf);
   bool checkLasers() const;
   bool blocks(physics::ShapeHandle shape) const;
+  void readSplashes();
+  void copyWaters(RoomView& view) const;
   void copyRopes(RoomView& view) const;
   void copySegments(RoomView& view) const;
   bool seeAs(const Obstacle& obstacle, physics::BodyHandle handle, Sight& sight) const;
@@ -171,6 +174,7 @@ class Room {
   std::map<std::string, std::string> globalsBefore_;
   RoomPlan plan_;
   std::unique_ptr<physics::World> world_;
+  Waters waters_;  // holds nothing between two ticks
 
   // State.
   std::uint32_t ticks_ = 0;

@@ -2,6 +2,7 @@
 // the room's seed and the global strings, so a snapshot need not hold it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -29,12 +30,20 @@ struct PlannedSegment {
   float start = 0.0f;  // of its frame, from the room's start along -Z [m]
 };
 
+/// The surface of a segment's water; what lies below it within its outline is in the water.
+struct PlannedWater {
+  Vec3 center = Vec3::Zero();           // room frame [m]
+  Vec2 halfExtents = Vec2::Ones();      // in x and z [m]
+  std::array<int, 2> cells = {32, 32};  // of its picture
+};
+
 struct RoomSettings {
   float length = 0.0f;  // as declared [m]
   Vec3 fogBottom = Vec3(0.2f, 0.25f, 0.3f), fogTop = Vec3(0.6f, 0.7f, 0.8f);
   float reverb[3] = {0, 0, 0};
   float echo[4] = {0, 0, 0, 0};
   float lowPass = 0.0f;
+  float focus[3] = {0, 0, 0};  // sharp up to here [m], blurred after so much more [m], how much
   std::string music, particles;
   float gravity = 1.0f;    // times rules::kGravity
   float turns = 0.0f;      // camera roll over the room [turns]
@@ -51,6 +60,7 @@ struct PlannedPickup {
 struct RoomPlan {
   RoomSettings settings;
   std::vector<PlannedSegment> segments;
+  std::vector<PlannedWater> waters;
   std::uint32_t boxes = 0;  // and decals, of all of them
   Crowd crowd;
   std::deque<ObstacleDef> obstacles;  // addresses stay

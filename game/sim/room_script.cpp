@@ -212,6 +212,22 @@ void rotation(script::Call& call, Builder& builder) {
   if (call.failed()) return;
   builder.plan.settings.turns = clampTo(turns, -100.0f, 100.0f);
   builder.plan.settings.turnAngle = clampTo(angle, -kPi, kPi);
+  if (builder.plan.settings.turns != 0.0f) builder.plan.effects.demand(effects::Effect::CameraRoll, call.where());
+}
+
+constexpr Range kFocusDistance = {0.0f, 100.0f}, kFocusRange = {0.1f, 100.0f}, kFocusStrength = {0.0f, 1.0f};
+
+/// What is farther away than a distance is blurred, wholly so after a range more. [m]
+void depthOfField(script::Call& call, Builder& builder) {
+  RoomSettings& settings = builder.plan.settings;
+  const float distance = limited(call, builder, 1, kFocusDistance);
+  const float range = limited(call, builder, 2, kFocusRange);
+  const float strength = call.has(3) ? limited(call, builder, 3, kFocusStrength) : 0.7f;
+  if (call.failed()) return;
+  settings.focus[0] = distance;
+  settings.focus[1] = range;
+  settings.focus[2] = strength;
+  if (strength > 0.0f) builder.plan.effects.demand(effects::Effect::DepthOfField, call.where());
 }
 
 /// The room's attribute in the level file, or null.
@@ -320,6 +336,7 @@ void addMoodCalls(script::Library& library) {
   add(library, "mgSetDifficulty", setValue<&RoomSettings::difficulty>);
   add(library, "mgSetRotation", rotation);
   add(library, "mgRotation", rotation);
+  add(library, "mgDepthOfField", depthOfField);
 }
 
 const script::Library& roomLibrary() {

@@ -77,6 +77,7 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
   for (int i = 0; i < 3; ++i) view.reverb[i] = settings.reverb[i];
   for (int i = 0; i < 4; ++i) view.echo[i] = settings.echo[i];
   view.lowPass = settings.lowPass;
+  for (int i = 0; i < 3; ++i) view.focus[i] = settings.focus[i];
   view.music = settings.music;
   view.particles = settings.particles;
   view.effects = plan_.effects.running();
@@ -99,6 +100,15 @@ void Room::copyView(RoomView& view, std::vector<BallView>& balls) const {
     view.crumbs.push_back({Vec3(crumb.position + frameOffset_), crumb.radius, crumb.color});
   copyRopes(view);
   copyPickups(view);
+  copyWaters(view);
+}
+
+void Room::copyWaters(RoomView& view) const {
+  view.waters.clear();
+  if (!view.effects.has(effects::Effect::Water)) return;
+  const Vec3 moved = Vec3(0.0f, 0.0f, shift_) + frameOffset_;
+  for (const PlannedWater& water : plan_.waters)
+    view.waters.push_back({water.center + moved, water.halfExtents, water.cells});
 }
 
 void Room::copySegments(RoomView& view) const {
@@ -129,8 +139,8 @@ void Room::copyRopes(RoomView& view) const {
           joint.b ? world_->body(world_->bodyOf(joint.b)).pose.toWorld(joint.localAnchorB) : joint.localAnchorB;
       view.ropes.push_back({Vec3(a + frameOffset_), Vec3(b + frameOffset_)});
     }
-    for (const auto& [from, to] : obstacle->beams)
-      view.beams.push_back({Vec3(from + frameOffset_), Vec3(to + frameOffset_)});
+    for (const BeamView& beam : obstacle->beams)
+      view.beams.push_back({Vec3(beam.from + frameOffset_), Vec3(beam.to + frameOffset_), beam.hits});
     view.bodyDecals.insert(view.bodyDecals.end(), obstacle->decals.begin(), obstacle->decals.end());
   }
 }

@@ -182,6 +182,7 @@ void placePowerUp(Session& session, const std::string& type, const Vec3& positio
   }
   plan.pickups.push_back({*kind, position});
   if (effect) plan.effects.demand(*effect, where);
+  plan.effects.demand(effects::Effect::Splinters, where);  // it sparkles when it is hit
 }
 
 namespace {
@@ -199,6 +200,19 @@ void placeObstacles(Session& session, const content::Segment& segment, float sta
     ObstacleDef def = defOf(obstacle, segment);
     def.position.z() -= start;
     if (!placeObstacle(session, std::move(def), plan)) return;
+  }
+}
+
+void placeWaters(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  for (const content::Water& water : segment.waters) {
+    if (water.hidden) continue;
+    const std::string where = segment.file + ":" + std::to_string(water.line);
+    if (plan.waters.size() >= rules::kMaxWatersPerRoom) {
+      refuse(session, "waters", rules::kMaxWatersPerRoom, "in a room", where);
+      return;
+    }
+    plan.waters.push_back({water.position - Vec3(0.0f, 0.0f, start), water.halfExtents, water.resolution});
+    plan.effects.demand(effects::Effect::Water, where);
   }
 }
 
@@ -233,7 +247,7 @@ float placeSegment(Session& session, const std::string& name, float start, const
   placeBoxes(session, name, *segment, start, where, plan);
   placeObstacles(session, *segment, start, plan);
   placePowerUps(session, *segment, start, plan);
-  if (!segment->waters.empty()) session.report(segment->file + ": water is not supported");
+  placeWaters(session, *segment, start, plan);
   return segment->size.z();
 }
 

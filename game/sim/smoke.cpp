@@ -109,7 +109,21 @@ void addSetup(script::Library& library) {
   addSmokeCall(library, "mode", chooseMode);
 }
 
+/// What the game let be seen and heard so far.
+void expectEvents(script::Call& call, Smoke& smoke) {
+  const std::string name = call.string(1);
+  const double least = call.number(2);
+  const double most = call.number(3, 1e9);
+  Game* game = call.failed() ? nullptr : smoke.game(call);
+  if (game == nullptr) return;
+  if (name != "splash" && name != "smoke") return call.fail("\"" + name + "\": expected splash or smoke");
+  const double found = smoke.eventsOf(name == "splash" ? EventType::Splash : EventType::Smoke);
+  smoke.check(call, "expect_events", least <= found && found <= most, smokeText(found) + " of " + name,
+              smokeText(least) + (call.has(3) ? " to " + smokeText(most) : " or more"));
+}
+
 void addExpectations(script::Library& library) {
+  addSmokeCall(library, "expect_events", expectEvents);
   addSmokeCall(library, "expect_broken", [](script::Call& call, Smoke& s) {
     expectRange(call, s, "expect_broken", [](const Game& g) { return static_cast<double>(g.totalBreaks()); });
   });

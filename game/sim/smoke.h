@@ -15,6 +15,7 @@
 //   expect_streak(min[, max])
 //   expect_crystals(min[, max])       won so far
 //   expect_cleared(min[, max])        obstacles dealt with so far
+//   expect_events(NAME, min[, max])   "splash" or "smoke": how many were seen so far
 //   expect_phase(NAME)                "title", "playing", "checkpoint", "game over"
 //   expect_position{z=Z, within=W}    distance of the camera from its room's start [m]
 //   expect_speed{v=V, within=W}       camera speed [m/s]

@@ -2,6 +2,7 @@
 // that define the script's functions; see smoke.h.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -52,8 +53,10 @@ class Smoke {
         frame.buttons = pressed->second;
       result.inputs.push_back(frame);
       game.tick(frame);
+      for (const Event& event : game.events()) ++events_[static_cast<std::size_t>(event.type)];
     }
   }
+  std::uint32_t eventsOf(EventType type) const { return events_[static_cast<std::size_t>(type)]; }
   bool saveAndRestore(Game& game) {
     ByteWriter out;
     game.save(out);
@@ -87,6 +90,7 @@ class Smoke {
   std::unique_ptr<Game> game_;
   std::vector<std::vector<replay::Throw>> throws_;
   std::map<std::uint64_t, std::uint8_t> buttons_;  // by tick
+  std::array<std::uint32_t, 64> events_{};  // by type, so far
 };
 
 std::string smokeText(double value);

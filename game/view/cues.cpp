@@ -92,6 +92,50 @@ Cue hitCue(const Event& event, const sim::Camera& camera) {
   return cue(tinkle, 0.4f * weight * bySpeed(event.speed, 8.0f));
 }
 
+/// By what is pushed aside in a second, about: size squared times speed. A ball at its full speed is a heavy thing.
+Cue splashCue(const Event& event, const sim::Camera& camera) {
+  const float weight = event.size * event.size * event.speed;
+  const Sound sound = weight < 0.01f   ? Sound::SplashDrip
+                      : weight < 0.06f ? Sound::SplashSmall
+                      : weight < 0.30f ? Sound::SplashMedium
+                                       : Sound::SplashLarge;
+  return cueAt(event, camera, sound, 0.35f + 0.55f * bySpeed(weight, 0.6f));
+}
+
+constexpr std::uint64_t kHumEvery = 48;         // ticks: half of its length
+constexpr float kHumReach = 14.0f;              // beams farther away are not heard [m]
+constexpr float kBurnReach = 0.6f;              // a crash this near to one is its doing [m]
+constexpr float kCrackleChance = 1.0f / 25.0f;  // in a tick
+
+Vec3 nearestOf(const sim::BeamView& beam, const Vec3& to) {
+  const Vec3 line = beam.to - beam.from;
+  return beam.from + line * clampTo((to - beam.from).dot(line) / maxOf(line.squaredNorm(), 1e-12f), 0.0f, 1.0f);
+}
+
+/// The nearest laser hums without a break, crackles now and then where it ends, and bursts when it strikes.
+void addLaserCues(const sim::FramePacket& packet, Random& random, std::vector<Cue>& cues) {
+  const Vec3 ear = packet.camera.position;
+  const sim::BeamView* nearest = nullptr;
+  float distance = kHumReach;
+  for (const sim::RoomView& room : packet.rooms)
+    for (const sim::BeamView& beam : room.beams) {
+      const float away = (nearestOf(beam, ear) - ear).norm();
+      if (away >= distance) continue;
+      distance = away;
+      nearest = &beam;
+    }
+  if (nearest == nullptr) return;
+  Event event;
+  event.point = nearestOf(*nearest, ear);
+  if (packet.tick % kHumEvery == 0) cues.push_back(cueAt(event, packet.camera, Sound::LaserHum, 0.30f));
+  const bool struck = std::any_of(packet.events.begin(), packet.events.end(),
+                                  [](const Event& e) { return e.type == EventType::Crash; });
+  if (struck && distance < kBurnReach) cues.push_back(cueAt(event, packet.camera, Sound::LaserDischarge, 0.8f));
+  event.point = nearest->to;
+  if (nearest->hits && random.nextFloat() < kCrackleChance)
+    cues.push_back(cueAt(event, packet.camera, Sound::LaserHit, 0.35f));
+}
+
 struct Cues {
   std::vector<Cue> breaks, hits, others;
 };
@@ -169,6 +213,9 @@ void addOther(const Event& event, const sim::FramePacket& packet, std::int32_t s
     case EventType::Begin:
       addChord({0, 3, 5}, 0.1f, 0.14f, 1.0f, cues);
       break;
+    case EventType::Splash:
+      cues.push_back(splashCue(event, packet.camera));
+      break;
     case EventType::Sound:
       addScriptSound(event, packet, cues);
       break;
@@ -221,6 +268,7 @@ std::vector<Cue> cuesOf(const sim::FramePacket& packet, std::int32_t streakBefor
       addOther(event, packet, streakBefore, cues.others);
     }
   }
+  addLaserCues(packet, random, cues.others);
   masking.level *= kUncovered;
   keepHeard(cues.breaks, kMostBreaks, masking, random);
   keepHeard(cues.hits, kMostHits, masking, random);
@@ -234,12 +282,27 @@ std::optional<Sound> soundNamed(const std::string& path) {
     const char* word;
     Sound sound;
   };
-  constexpr Word kWords[] = {{"break", Sound::GlassMedium}, {"shatter", Sound::GlassMedium}, {"crash", Sound::Crash},
-                             {"explo", Sound::Crash},       {"boom", Sound::Crash},          {"door", Sound::Door},
-                             {"open", Sound::Door},         {"clear", Sound::Note},          {"score", Sound::Note},
-                             {"crystal", Sound::Note},      {"note", Sound::Note},           {"shoot", Sound::Throw},
-                             {"swoosh", Sound::Throw},      {"metal", Sound::OnMetal},       {"wood", Sound::OnWood},
-                             {"stone", Sound::OnStone},     {"glass", Sound::OnGlass},       {"button", Sound::OnMetal},
+  constexpr Word kWords[] = {{"discharge", Sound::LaserDischarge},
+                             {"laser", Sound::LaserHit},
+                             {"splash", Sound::SplashMedium},
+                             {"break", Sound::GlassMedium},
+                             {"shatter", Sound::GlassMedium},
+                             {"crash", Sound::Crash},
+                             {"explo", Sound::Crash},
+                             {"boom", Sound::Crash},
+                             {"door", Sound::Door},
+                             {"open", Sound::Door},
+                             {"clear", Sound::Note},
+                             {"score", Sound::Note},
+                             {"crystal", Sound::Note},
+                             {"note", Sound::Note},
+                             {"shoot", Sound::Throw},
+                             {"swoosh", Sound::Throw},
+                             {"metal", Sound::OnMetal},
+                             {"wood", Sound::OnWood},
+                             {"stone", Sound::OnStone},
+                             {"glass", Sound::OnGlass},
+                             {"button", Sound::OnMetal},
                              {"hit", Sound::OnStone}};
   for (const Word& known : kWords)
     if (path.find(known.word) != std::string::npos) return known.sound;

@@ -51,7 +51,8 @@ class Blend {
   }
 
  private:
-  void blend(const std::vector<sim::RopeView>& before, std::vector<sim::RopeView>& seen) const {
+  template <class Line>
+  void blend(const std::vector<Line>& before, std::vector<Line>& seen) const {
     if (before.size() != seen.size()) return;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       blendNear(before[i].from, seen[i].from);

@@ -138,20 +138,11 @@ void addHit(const sim::Event& event, Emitter emitter) {
     emitter.splinters({1.0f, 0.86f, 0.6f}, 6, 2.0f * share);
 }
 
-/// One puff of what a script lets out tick by tick.
-void addSmoke(Emitter emitter) {
-  emitter.puffs({0.80f, 0.82f, 0.85f}, 1, 0.25f, 0.15f);
-}
-
 /// A power-up that a ball has hit.
 void addTaken(const sim::Event& event, Emitter emitter) {
   const Rgb color = colorOf(static_cast<sim::PowerUp>(event.value));
   emitter.flash(color, 1.1f);
   emitter.sparks(color, 18, 6, 1.5f);
-}
-
-void addGlow(const Vec3& point, render::Frame& frame) {
-  frame.glows.push_back({point, 0.35f, packRgba({1.0f, 0.93f, 0.78f}, 0.7f)});
 }
 
 /// In the game's time, but no slower than that it is gone when it is forgotten. [ticks]
@@ -176,12 +167,10 @@ void addParticles(const sim::FramePacket& packet, const Memory& memory, double t
     const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
     if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
-    if (r.event.type == sim::EventType::Smoke) addSmoke(emitter);
     if constexpr (effects::isBuilt(effects::Effect::Explosions))
       if (r.event.type == sim::EventType::Explosion)
         addExplosion(r.event, r.pointIn(packet.originZ), age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::PowerUpCollected) addTaken(r.event, emitter);
-    if (r.event.type == sim::EventType::Glow && age < 1.0f) addGlow(r.pointIn(packet.originZ), frame);
   }
 }
 

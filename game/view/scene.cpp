@@ -9,11 +9,14 @@
 #include "game/view/hud.h"
 #include "game/view/interpolate.h"
 #include "game/view/lamps.h"
+#include "game/view/lasers.h"
 #include "game/view/look.h"
 #include "game/view/particles.h"
 #include "game/view/power_ups.h"
 #include "game/view/shadows.h"
+#include "game/view/smoke.h"
 #include "game/view/surroundings.h"
+#include "game/view/water.h"
 
 namespace brittle::view {
 namespace {
@@ -21,7 +24,6 @@ namespace {
 constexpr float kFogBlendTicks = 60.0f;  // from one room's fog to the next one's
 constexpr float kRopeRadius = 0.012f;    // [m]
 constexpr float kRopeAngle = 0.0022f;    // and at least this much of its distance
-constexpr float kLaserRadius = 0.05f;    // [m]
 constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
 constexpr float kBloom = 0.55f;
 constexpr float kCrashShake = 0.7f;  // of the most, at the moment of a crash
@@ -82,7 +84,7 @@ void Scene::placeCamera(double tick) {
   const sim::Camera& from = seen_.camera;
   render::Camera& camera = frame_.camera;
   camera.position = from.position;
-  camera.rotation = from.rotation;
+  camera.rotation = seen_.runs(Effect::CameraRoll) ? from.rotation : Quat::Identity();
   if (from.halfWidthTangent > 0.0f) camera.tanHalfWidth = from.halfWidthTangent;
   if (from.near > 0.0f) camera.nearPlane = from.near;
   if (from.far > camera.nearPlane) camera.farPlane = from.far;
@@ -130,13 +132,28 @@ void Scene::addLamps() {
   }
 }
 
+/// What scripts light, for a tick.
+void Scene::addGlows(double tick) {
+  constexpr float radius = 0.35f;  // [m]
+  for (const Remembered& r : memory_.events()) {
+    const double age = tick - static_cast<double>(r.tick) + 0.5;
+    if (r.event.type != sim::EventType::Glow || age < 0.0 || age >= 1.0) continue;
+    frame_.glows.push_back({r.pointIn(seen_.originZ), radius, render::packRgba(render::Rgb(1.0f, 0.93f, 0.78f), 0.7f)});
+  }
+}
+
+/// Of the room that the camera is in; it comes in as its fog does.
+void Scene::placeFocus(float entered) {
+  if (seen_.rooms.empty() || !seen_.rooms.front().effects.has(Effect::DepthOfField)) return;
+  const float* focus = seen_.rooms.front().focus;
+  frame_.focus = {focus[0], focus[1], focus[2] * entered};
+}
+
 void Scene::addThings() {
-  const std::uint32_t laser = render::packRgba(render::Rgb(1.0f, 0.25f, 0.20f));
   for (const sim::RoomView& room : seen_.rooms) {
     for (const sim::CrumbView& crumb : room.crumbs)
       frame_.crumbs.push_back({crumb.position, crumb.radius, crumb.color});
     for (const sim::RopeView& line : room.ropes) frame_.beams.push_back(ropeOf(line, frame_.camera));
-    for (const sim::RopeView& line : room.beams) frame_.beams.push_back({line.from, line.to, kLaserRadius, laser});
   }
   const auto material = static_cast<std::uint16_t>(sim::Look::Ball);
   for (const sim::BallView& ball : seen_.balls)
@@ -152,6 +169,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   placeCamera(tick);
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
+  placeFocus(smooth(clampTo(entered, 0.0f, 1.0f)));
   frame_.surroundings = surroundingsOf(seen_);
   frame_.sphereShadow = seen_.runs(Effect::Shadows) ? shadowStrengthOf(seen_) : 0.0f;
   if (seen_.runs(Effect::Mirror)) frame_.mirrorHeight = mirrorHeightOf(seen_);
@@ -161,7 +179,15 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
     if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
   if constexpr (kHas<Effect::Air>)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
-  addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
+  if constexpr (kHas<Effect::Water>)
+    if (seen_.runs(Effect::Water)) addWaters(seen_, memory_, tick, frame_);
+  if constexpr (kHas<Effect::Lasers>)
+    if (seen_.runs(Effect::Lasers)) addLasers(seen_, tick, frame_);
+  if constexpr (kHas<Effect::Splinters>)
+    if (seen_.runs(Effect::Splinters)) addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
+  if constexpr (kHas<Effect::Smoke>)
+    if (seen_.runs(Effect::Smoke)) addSmoke(seen_, memory_, tick, frame_);
+  addGlows(tick);
   addPowerUps(seen_, timeAt(alpha_), frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) addTimings(*timings, frame_);

@@ -35,6 +35,8 @@ class Scene {
   void addRooms(const MeshPools& pools);
   void addLamps();
   void addThings();
+  void addGlows(double tick);
+  void placeFocus(float entered);
   void placeCamera(double tick);
   /// The game's time, `alpha` of the way between the last two ticks. [ticks]
   double timeAt(float alpha) const;

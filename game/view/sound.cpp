@@ -34,23 +34,13 @@ audio::VoiceDef voiceOf(const Cue& cue, const audio::Bank& bank, Random& random)
 void Sound::tick(const sim::FramePacket& packet) {
   enterRoom(packet);
   for (const sim::RoomView& room : packet.rooms)
-    if (!room.pickups.empty()) bankOf(audio::Sound::PowerUpTaken);
+    if (!room.pickups.empty()) mixer_.bank().prepare(audio::Sound::PowerUpTaken);  // before a ball hits it
   for (const sim::Event& event : packet.events) reportUnknown(event, packet.soundNames);
   Random random(mixSeed(kStream, packet.tick));
-  for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) {
-    const audio::Bank& bank = bankOf(cue.sound);
-    if (bank.variations(cue.sound) > 0) mixer_.play(voiceOf(cue, bank, random));
-  }
+  for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) mixer_.play(voiceOf(cue, mixer_.bank(), random));
   followTime(packet);
   streak_ = packet.hud.streak;
   if constexpr (effects::isBuilt(effects::Effect::Music)) playMusic(packet);
-}
-
-/// Those of power-ups are computed when the first power-up comes in sight, or is heard.
-const audio::Bank& Sound::bankOf(audio::Sound sound) {
-  if (!audio::isOfPowerUps(sound)) return mixer_.bank();
-  if (!powerUps_) powerUps_ = std::make_unique<audio::Bank>(audio::SoundSet::PowerUps);
-  return *powerUps_;
 }
 
 /// Slow motion sounds as under water: lower, an octave at a quarter of the speed, and dull.

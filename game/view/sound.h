@@ -30,14 +30,12 @@ class Sound {
   void enterRoom(const sim::FramePacket& packet);
   void playMusic(const sim::FramePacket& packet);
   void followTime(const sim::FramePacket& packet);
-  const audio::Bank& bankOf(audio::Sound sound);
   void reportUnknown(const sim::Event& event, const std::vector<std::string>& names);
 
   audio::Mixer& mixer_;
   std::uint64_t room_ = 0;
   bool knowsRoom_ = false;
   std::unique_ptr<audio::Instruments> instruments_;  // from the first room that has music on
-  std::unique_ptr<audio::Bank> powerUps_;            // from the first of them on
   std::int32_t musicTick_ = -1;                      // played last
   float timeShare_ = 1.0f;                           // as the mixer has it
   Masking masking_;

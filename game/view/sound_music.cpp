@@ -7,7 +7,7 @@ namespace brittle::view {
 namespace {
 
 constexpr float kMusicWorth =
-    8.0f;                         // a chord that stops in the middle is noticed sooner than a shard that does not fall
+    8.0f;  // a chord that stops in the middle is noticed sooner than a shard that does not fall
 
 audio::VoiceDef noteVoice(const MusicNote& note, const audio::Instruments& instruments) {
   const audio::Instruments::Tone tone = instruments.tone(note.instrument, note.note);

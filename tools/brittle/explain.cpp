@@ -126,7 +126,7 @@ int explain(const ExplainOptions& options) {
   Result<sim::GameDef> def = defOf(options.game);
   if (!def) return refuse(def.error());
   catchInterrupts();
-  const audio::Bank bank(audio::SoundSet::Common);
+  const audio::Bank bank;
   Faults faults;
   for (std::uint32_t passed = 0; passed < options.rooms; ++passed, ++def->firstRoom) {
     const auto simulation = openGame(**assets, *def);

@@ -14,7 +14,7 @@ Status writeSoundtrack(const replay::Replay& replay, GameSimulation& simulation,
                        const std::string& path) {
   Result<audio::WavWriter> file = audio::WavWriter::open(path);
   if (!file) return file.error();
-  const audio::Bank bank(audio::SoundSet::Common);
+  const audio::Bank bank;
   audio::Mixer mixer(bank);
   view::Sound sound(mixer);
   replay::Player player(replay, simulation);

@@ -9,7 +9,7 @@
 namespace brittle::program {
 
 struct Speakers::Parts {
-  audio::Bank bank{audio::SoundSet::Common};
+  audio::Bank bank;
   audio::Mixer mixer{bank};
   view::Sound sound{mixer};
   std::unique_ptr<platform::AudioOutput> output;  // goes first: its thread uses the others

@@ -32,6 +32,10 @@ constexpr Expected kExpected[] = {
     {Sound::PowerUpEnds, 250, 2500, 0.2, 1.2},    {Sound::BlastSmall, 150, 1800, 0.2, 1.5},
     {Sound::BlastMedium, 100, 1400, 0.3, 2.2},    {Sound::BlastLarge, 60, 1000, 0.5, 3.5},
     {Sound::TimeSlows, 200, 2000, 0.3, 6.0},      {Sound::TimeReturns, 150, 2500, 0.2, 6.0},
+    {Sound::SplashDrip, 1800, 6500, 0.03, 0.6},   {Sound::SplashSmall, 1500, 6500, 0.1, 0.9},
+    {Sound::SplashMedium, 700, 5500, 0.2, 1.0},   {Sound::SplashLarge, 300, 4500, 0.4, 1.6},
+    {Sound::LaserHum, 120, 300, 0.5, 1.5},        {Sound::LaserHit, 3000, 9000, 0.005, 0.4},
+    {Sound::LaserDischarge, 700, 2600, 0.7, 1.8},
 };
 
 TEST(Synthesis, EverySoundHasItsSpectrumAndItsDecay) {
@@ -149,13 +153,16 @@ TEST(Synthesis, ABlastIsDeeperAndLongerTheLargerItIs) {
   }
 }
 
-TEST(Synthesis, SetsOfSoundsAreComputedApart) {
-  const Bank common(SoundSet::Common), powerUps(SoundSet::PowerUps);
-  for (int s = 0; s < static_cast<int>(Sound::Count); ++s) {
-    const auto sound = static_cast<Sound>(s);
-    EXPECT_EQ(common.variations(sound), isOfPowerUps(sound) ? 0u : bank().variations(sound));
-    EXPECT_EQ(powerUps.variations(sound), isOfPowerUps(sound) ? bank().variations(sound) : 0u);
-  }
+TEST(Synthesis, LateSoundsAreComputedWhenTheyAreAskedFor) {
+  const Bank fresh;
+  const std::size_t before = fresh.bytes();
+  EXPECT_GT(fresh.variations(Sound::GlassSmall), 0u);
+  EXPECT_EQ(fresh.bytes(), before);
+  fresh.prepare(Sound::PowerUpTaken);
+  const std::size_t after = fresh.bytes();
+  EXPECT_GT(after, before);
+  EXPECT_EQ(fresh.variations(Sound::PowerUpTaken), 1u);
+  EXPECT_EQ(fresh.bytes(), after);
 }
 
 TEST(Synthesis, TheSameSamplesEachTime) {

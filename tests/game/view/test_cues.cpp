@@ -15,7 +15,7 @@ std::vector<Cue> cuesFor(const std::vector<sim::Event>& events, std::int32_t str
   sim::FramePacket packet = packetAt(7);
   packet.events = events;
   packet.hud.streak = streak;
-  packet.soundNames = {"snd/laser.ogg", "snd/door_open.ogg"};
+  packet.soundNames = {"snd/fanfare.ogg", "snd/door_open.ogg"};
   Random random(1);
   Masking masking;
   return cuesOf(packet, before, masking, random);
@@ -184,7 +184,8 @@ TEST(Cues, TheClearedNoteIsTheSimulations) {
 TEST(Cues, ScriptSoundsGoByTheirNames) {
   EXPECT_EQ(soundNamed("snd/glass_break3.ogg"), Sound::GlassMedium);
   EXPECT_EQ(soundNamed("snd/door.ogg"), Sound::Door);
-  EXPECT_FALSE(soundNamed("snd/laser.ogg").has_value());
+  EXPECT_EQ(soundNamed("snd/laser/discharge.ogg"), Sound::LaserDischarge);
+  EXPECT_FALSE(soundNamed("snd/fanfare.ogg").has_value());
   sim::Event asked = eventOf(EventType::Sound, Vec3::Zero());
   asked.size = 0.5f;
   asked.value = 1;
@@ -197,7 +198,7 @@ TEST(Cues, ScriptSoundsGoByTheirNames) {
 }
 
 TEST(Cues, EveryEventCanBeHeardOrIsKnownToBeSilent) {
-  for (int type = 0; type <= static_cast<int>(EventType::Glow); ++type) {
+  for (int type = 0; type <= static_cast<int>(EventType::Splash); ++type) {
     const auto event = static_cast<EventType>(type);
     const bool silent = event == EventType::RoomEntered || event == EventType::LevelDone || event == EventType::Sound ||
                         event == EventType::Smoke || event == EventType::Glow;
