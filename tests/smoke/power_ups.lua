@@ -1,5 +1,5 @@
 -- Each power-up is collected by a ball, held, used, and does what it says.
-level("showroom") room(12)
+level("showroom") room(16)
 throw{tick=2, x=-0.257, y=0.085}
 throw{tick=10, x=-0.087, y=0.085}
 throw{tick=18, x=0.09, y=0.085}

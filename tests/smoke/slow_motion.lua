@@ -1,5 +1,5 @@
 -- Time runs at a quarter and the camera's way with it, and both come back; speeds are those of the game's own time.
-level("showroom") room(12)
+level("showroom") room(16)
 throw{tick=10, x=-0.087, y=0.085}
 run(60)
 expect_power_ups("slowmotion", 1)
