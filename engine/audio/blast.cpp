@@ -27,8 +27,9 @@ Samples blast(float size, Random& random) {
   const float length = 0.8f + 1.7f * size;
   Samples samples(samplesIn(length), 0.0f);
   const float detune = random.nextFloat(0.84f, 1.19f);
-  addPressureWave(samples, (190.0f - 60.0f * size) * detune, (58.0f - 24.0f * size) * detune, 0.05f + 0.07f * size,
-                  0.5f + 0.9f * size, 1.0f);
+  const float slow = random.nextFloat(0.7f, 1.4f);
+  addPressureWave(samples, (190.0f - 60.0f * size) * detune, (58.0f - 24.0f * size) * detune,
+                  (0.05f + 0.07f * size) * slow, 0.5f + 0.9f * size, 1.0f);
   // The crack, the roar that follows it, and what rumbles on.
   addNoise(samples, {0, 0.09f, 0.0005f, 0.07f, 4200.0f, 1200.0f, 1.4f, 0.9f - 0.3f * size}, random);
   addNoise(samples, {0, length, 0.004f, 0.55f + 0.8f * size, 900.0f - 350.0f * size, 120.0f, 1.2f, 0.8f}, random);

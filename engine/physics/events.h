@@ -42,6 +42,7 @@ struct Counters {
   std::uint32_t passes = 0;  // times the solver ran
   std::uint32_t breaks = 0, pieces = 0, crumbs = 0;
   std::uint32_t held = 0;                  // bodies that are to break but wait for the next tick
+  std::uint32_t tallest = 0;               // bodies of the tallest pile that is treated as one; 0: none
   std::uint32_t swept = 0;                 // fast bodies swept
   std::uint32_t sweeps = 0, confined = 0;  // ways searched for their first obstacle; bodies set back from one
   std::uint64_t totalBreaks = 0, totalHeld = 0, totalRefusedCuts = 0;  // since the start

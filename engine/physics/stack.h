@@ -32,6 +32,8 @@ class Stacks {
   void measure(const State& state, float dt);
   /// What the solver needs for that: rounds of ContactSolver::solveTall; 0: its usual sweeps will do.
   int rounds() const;
+  /// Of the tallest pile [bodies]; 0: none is tall.
+  int height() const { return height_; }
   /// Once velocities are final, before positions are integrated.
   void hold(State& state, float dt);
 

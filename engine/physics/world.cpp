@@ -94,6 +94,7 @@ void countWhatIsThere(State& state) {
   counters.bodies = static_cast<std::uint32_t>(state.bodies.size());
   counters.shapes = static_cast<std::uint32_t>(state.shapes.size());
   counters.contacts = static_cast<std::uint32_t>(state.contacts.size());
+  if constexpr (kHasStacks) counters.tallest = static_cast<std::uint32_t>(state.stacks.height());
   state.bodies.forEach(
       [&](BodyHandle, const Body& body) { counters.awakeBodies += body.isDynamic() && body.awake ? 1 : 0; });
   state.contacts.forEach([&](ContactHandle, const Contact& contact) {

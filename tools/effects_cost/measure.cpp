@@ -90,8 +90,13 @@ Result<std::string> buildWithout(Effect effect, const std::string& jobs) {
   return folder + "/tools/effects_probe";
 }
 
-Result<double> timeOf(const std::string& scene) {
-  const Result<std::string> played = outputOf({kProbe, scene, "--ticks", kTimedTicks, "--backend", "egl"});
+/// Of the room with what calls for the effect; `off`: with the effect switched off. The driver draws in this thread, so
+/// that its work is counted.
+Result<double> timeOf(Effect effect, bool off) {
+  std::vector<std::string> words = {"env",     "LP_NUM_THREADS=0", kProbe,      effects::nameOf(effect),
+                                    "--ticks", kTimedTicks,        "--backend", "egl"};
+  if (off) words.push_back("--off");
+  const Result<std::string> played = outputOf(words);
   if (!played) return played.error();
   return numberAfter(*played, "\"ms\"");
 }
@@ -101,13 +106,13 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Each round plays the plain room and the other one in turn, so that whatever disturbs the machine disturbs both.
+/// Each round plays the room with the effect and without it in turn: whatever disturbs the machine disturbs both.
 Status timeUsed(Cost& cost, int rounds) {
   std::vector<double> more;
   for (int round = 0; round < rounds; ++round) {
-    const Result<double> plain = timeOf("plain"), used = timeOf(effects::nameOf(cost.effect));
-    if (!plain || !used) return plain ? used.error() : plain.error();
-    more.push_back(*used - *plain);
+    const Result<double> off = timeOf(cost.effect, true), used = timeOf(cost.effect, false);
+    if (!off || !used) return off ? used.error() : off.error();
+    more.push_back(*used - *off);
   }
   cost.usedMilliseconds = median(more);
   return Done{};

@@ -1,5 +1,6 @@
-// effects_probe SCENE [--ticks N] [--backend egl|osmesa|null]: plays one room for so many ticks, with its picture and
-// its sound, and prints what that took. tools/effects_cost runs it, in this build and in builds without an effect.
+// effects_probe SCENE [--off] [--ticks N] [--backend egl|osmesa|null]: plays one room for so many ticks, with its
+// picture and its sound, and prints what that took. tools/effects_cost runs it, in this build and in builds without an
+// effect.
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -64,13 +65,14 @@ std::size_t bodiesIn(const sim::Game& game) {
   return bodies;
 }
 
-Status run(const std::string& name, int ticks, platform::HeadlessBackend backend) {
+Status run(const std::string& name, bool off, int ticks, platform::HeadlessBackend backend) {
   const auto effect = effects::effectNamed(name);
   if (!effect && name != "plain" && name != "crowd")
     return Error{"scene " + name + ": expected plain, crowd or the name of an effect"};
   const content::MemorySource source = effect ? roomWith(*effect) : plainRoom(name == "crowd" ? kCrowd : 1);
   sim::GameDef def;
   def.level = "probe";
+  if (effect && off) def.without = def.without.with(*effect);
   auto game = sim::Game::create(source, def);
   if (!game) return game.error();
   auto headless = platform::createHeadless(backend, kSize);
@@ -110,10 +112,12 @@ int main(int argc, char** argv) {
                "effects_probe");
   std::string scene = "plain", backend = "null";
   int ticks = 300;
+  bool off = false;
   app.add_option("SCENE", scene,
                  "plain, crowd (more bodies), or the name of an effect (brittle play --help lists them)")
       ->capture_default_str();
   app.add_option("--ticks", ticks, "of 1/60 s")->capture_default_str()->check(CLI::Range(1, 1900));
+  app.add_flag("--off", off, "with the scene's effect switched off");
   app.add_option("--backend", backend, "egl, osmesa or null: without drawing")->capture_default_str();
   app.footer(
       "Examples:\n  effects_probe plain\n  effects_probe reverb --ticks 600\n  effects_probe mirror --backend egl");
@@ -125,7 +129,7 @@ int main(int argc, char** argv) {
   for (const auto kind :
        {platform::HeadlessBackend::Egl, platform::HeadlessBackend::OsMesa, platform::HeadlessBackend::Null}) {
     if (backend != platform::nameOf(kind)) continue;
-    const Status played = probe::run(scene, ticks, kind);
+    const Status played = probe::run(scene, off, ticks, kind);
     return played ? 0 : failed(played.error());
   }
   return failed({"--backend " + backend + ": expected egl, osmesa or null"});
