@@ -26,7 +26,7 @@ void addPressureWave(Samples& samples, float highest, float lowest, float fall, 
 Samples blast(float size, Random& random) {
   const float length = 0.8f + 1.7f * size;
   Samples samples(samplesIn(length), 0.0f);
-  const float detune = random.nextFloat(0.84f, 1.19f);
+  const float detune = random.nextFloat(0.92f, 1.08f);
   const float slow = random.nextFloat(0.7f, 1.4f);
   addPressureWave(samples, (190.0f - 60.0f * size) * detune, (58.0f - 24.0f * size) * detune,
                   (0.05f + 0.07f * size) * slow, 0.5f + 0.9f * size, 1.0f);

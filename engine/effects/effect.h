@@ -20,6 +20,7 @@ enum class Effect : std::uint8_t {
   Explosions,  // of nitro balls and barrels
   Lasers,      // beams that hurt
   SlowMotion,  // time that runs slower for a while
+  CameraRoll,  // the room turns about the way, and with it where a throw goes
   // Only seen:
   Fog,
   Bloom,         // lamps shine beyond their outline
@@ -30,7 +31,6 @@ enum class Effect : std::uint8_t {
   Splinters,     // sparkle and dust where something breaks or is hit
   Smoke,         // puffs that scripts let out
   DepthOfField,  // what is far from where one looks is blurred
-  CameraRoll,    // the room turns about the way
   // Only heard:
   Reverb,
   Echo,

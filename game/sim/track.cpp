@@ -110,7 +110,7 @@ Camera Track::camera() const {
   camera.near = rules::kNear;
   camera.far = rules::kFar;
   const RoomSettings& settings = current_->settings();
-  if (settings.turns != 0.0f) {
+  if (current_->runs(effects::Effect::CameraRoll)) {
     const float progress = pace_.distance() / pace_.roomLength();
     const float angle = 2.0f * kPi * settings.turns * progress;
     camera.rotation =

@@ -84,7 +84,7 @@ void Scene::placeCamera(double tick) {
   const sim::Camera& from = seen_.camera;
   render::Camera& camera = frame_.camera;
   camera.position = from.position;
-  camera.rotation = seen_.runs(Effect::CameraRoll) ? from.rotation : Quat::Identity();
+  camera.rotation = from.rotation;
   if (from.halfWidthTangent > 0.0f) camera.tanHalfWidth = from.halfWidthTangent;
   if (from.near > 0.0f) camera.nearPlane = from.near;
   if (from.far > camera.nearPlane) camera.farPlane = from.far;
@@ -169,6 +169,7 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   placeCamera(tick);
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
+  if (!seen_.runs(Effect::Fog)) frame_.fog.start = frame_.fog.end = 2.0f * frame_.camera.farPlane;
   placeFocus(smooth(clampTo(entered, 0.0f, 1.0f)));
   frame_.surroundings = surroundingsOf(seen_);
   frame_.sphereShadow = seen_.runs(Effect::Shadows) ? shadowStrengthOf(seen_) : 0.0f;

@@ -171,7 +171,10 @@ void addExplain(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1u, 1000u));
-  command->footer("Examples:\n  brittle explain first\n  brittle explain first --rooms 1");
+  command->add_flag("--json", options->json, "a list of rooms instead of a table");
+  command->footer(
+      "Each effect's price is measured against the same room with it switched off.\n\n"
+      "Examples:\n  brittle explain first\n  brittle explain first --rooms 1 --json");
   command->callback([options, &action] { action = [options] { return explain(*options); }; });
 }
 

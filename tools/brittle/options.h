@@ -88,6 +88,7 @@ struct CheckOptions {
 struct ExplainOptions {
   GameOptions game;
   std::uint32_t rooms = 3;
+  bool json = false;
 };
 
 int play(const PlayOptions& options);

@@ -1,0 +1,113 @@
+// What effects promise: what is only seen or heard changes no bit, any of them may be off, the order of demands does
+// not matter, and a room keeps none that the next one does not ask for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/core/random.h"
+#include "fixture.h"
+#include "layered_source.h"
+
+namespace brittle::sim {
+namespace {
+
+using effects::Effect;
+using effects::EffectMask;
+
+GameDef defOf(const std::string& level, std::uint32_t room, EffectMask without) {
+  GameDef def;
+  def.level = level;
+  def.firstRoom = room;
+  def.mode = Mode::Zen;
+  def.without = without;
+  return def;
+}
+
+std::uint64_t hashAfter(const content::AssetSource& source, const GameDef& def, int ticks) {
+  const auto game = newGame(source, def);
+  for (int i = 0; i < ticks; ++i) game->tick(scriptedInput(game->tickCount()));
+  EXPECT_EQ(game->totalQuarantined(), 0u);
+  EXPECT_EQ(game->tickCount(), static_cast<std::uint64_t>(ticks));
+  return game->stateHash();
+}
+
+TEST(Effects, WhatIsOnlySeenOrHeardChangesNoBit) {
+  const EffectMask seen = effects::maskOf(effects::Kind::Seen), heard = effects::maskOf(effects::Kind::Heard);
+  const std::uint64_t whole = hashAfter(shippedAssets(), defOf("first", 0, {}), 150);
+  for (const EffectMask without : {seen, heard})
+    EXPECT_EQ(hashAfter(shippedAssets(), defOf("first", 0, without), 150), whole) << without.bits();
+}
+
+TEST(Effects, AnyOfThemMayBeOffInEveryShippedLevel) {
+  Random random(7);
+  for (const auto& [level, rooms] : {std::pair{"first", 3u}, {"showroom", 17u}})
+    for (std::uint32_t room = 0; room < rooms; ++room) {
+      const std::uint64_t bits = random.next();
+      SCOPED_TRACE(std::string(level) + " " + std::to_string(room) + " without " + std::to_string(bits));
+      hashAfter(shippedAssets(), defOf(level, room, EffectMask::ofBits(static_cast<std::uint32_t>(bits))), 60);
+    }
+  hashAfter(shippedAssets(), defOf("first", 1, EffectMask::ofBits(~0u)), 60);
+}
+
+TEST(Effects, ADemandInEveryOrderGivesTheSameState) {
+  std::array<const char*, 4> calls = {"mgReverb(0.5, 1, 0.3) ", "mgSetRotation(1) ", "mgParticles('dust') ",
+                                      "mgDepthOfField(8, 4) "};
+  std::sort(calls.begin(), calls.end());
+  std::uint64_t first = 0;
+  do {
+    std::string body;
+    for (const char* call : calls) body += call;
+    const auto source = oneRoom("<obstacle pos=\"0 1 -8\" type=\"box\"/>", 160.0f,
+                                body + "mgSegment('test/corridor', 0) mgLength(160)");
+    const std::uint64_t hash = hashAfter(source, defOf("test", 0, {}), 20);
+    if (first == 0) first = hash;
+    ASSERT_EQ(hash, first) << body;
+  } while (std::next_permutation(calls.begin(), calls.end()));
+}
+
+TEST(Effects, AStageThatBeginsInTheMiddleOfARoomGoesOnAfterASnapshot) {
+  auto source = oneRoom("<obstacle pos=\"0 1 -12\" type=\"late\"/>");
+  source.add("obstacles/late.lua", R"(
+function init()
+  mgMaterial("steel")
+  a = mgCreateBody(-0.5, 1, 0) mgCreateBox(a, 0.2, 0.2, 0.2)
+  b = mgCreateBody(0.5, 1, 0) mgCreateBox(b, 0.2, 0.2, 0.2)
+  ticks = 0
+end
+function tick()
+  ticks = ticks + 1
+  if ticks == 20 then mgCreateBallJoint(a, b, 0, 1, 0) end
+end)");
+  const auto game = newTestGame(source), again = newTestGame(source);
+  EXPECT_FALSE(game->effects().runs(Effect::Joints));
+  play(*game, 40);
+  EXPECT_TRUE(game->effects().runs(Effect::Joints));
+  ByteWriter out;
+  game->save(out);
+  ByteReader in(out.bytes());
+  ASSERT_TRUE(again->restore(in));
+  EXPECT_TRUE(again->effects().runs(Effect::Joints));
+  play(*game, 60);
+  play(*again, 60);
+  EXPECT_EQ(again->stateHash(), game->stateHash());
+}
+
+TEST(Effects, ARoomKeepsNoneThatTheNextOneDoesNotAskFor) {
+  const LayeredSource source({{"levels/two.xml",
+                               "<level><room type=\"loud\" length=\"100\"/><room type=\"plain\" "
+                               "length=\"100\"/></level>"},
+                              {"rooms/loud.lua",
+                               "function init() mgReverb(0.5, 1, 0.3) mgEcho(0.4, 0.2, 0.5, 0.3) "
+                               "mgSegment('first/hall/crystals', 0) mgLength(20) end"},
+                              {"rooms/plain.lua", "function init() mgLength(40) end"}});
+  const auto game = newGame(source, defOf("two", 0, {}));
+  EXPECT_TRUE(game->effects().runs(Effect::Reverb));
+  EXPECT_TRUE(game->effects().runs(Effect::Echo));
+  for (int i = 0; i < 3000 && game->roomNumber() == 0; ++i) game->tick({});
+  ASSERT_EQ(game->roomNumber(), 1u);
+  EXPECT_EQ(game->effects().running(), EffectMask().with(Effect::Fog)) << game->effects().running().bits();
+}
+
+}  // namespace
+}  // namespace brittle::sim
