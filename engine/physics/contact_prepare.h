@@ -110,12 +110,13 @@ void fillLane(const State& state, const Contact& contact, GapRule gap, float dt,
   const Wide3<Float4> places = lanesOf(manifold, bodyA.pose, bodyB.pose).middle();
   fillNormals(a, b, manifold, places, i, rows);
   const float share = 1.0f / static_cast<float>(maxOf(manifold.count, 1));
-  Vec3 middle = Vec3::Zero();
+  const Vec3 first = lane(places, 0);
+  Vec3 middle = first;  // a sum of places would round by where the origin lies; differences do not
   for (int p = 0; p < manifold.count; ++p) {
     const float separation = manifold.points[p].separation;
     const bool open = separation > 0.0f && gap == GapRule::Speculative;
     setLane(rows.target[p], i, open ? -separation / time : 0.0f);
-    middle += lane(places, p) * share;
+    middle += (lane(places, p) - first) * share;
   }
   float radius = 0.0f;
   for (int p = 0; p < manifold.count; ++p) radius += (lane(places, p) - middle).norm() * share;

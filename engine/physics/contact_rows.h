@@ -83,7 +83,7 @@ struct ContactRows {
 
   /// Friction within the cone that the present normal impulses allow.
   void solveFriction(PairVelocity<N>& v) {
-    const N limit = friction * normalSum();
+    const N limit = friction * maxOf(normalSum(), N{});  // negative while solveTall goes on: none, not 0 / 0
     N wanted[2];
     for (int i = 0; i < 2; ++i) wanted[i] = slide[i].impulse - slide[i].mass * speedAlong(tangent[i], slide[i], v);
     const N length = squareRoot(wanted[0] * wanted[0] + wanted[1] * wanted[1]);

@@ -11,12 +11,13 @@ bool isObstacle(const State& state, const Body& mover, const Body& other) {
   return state.tick != other.bornTick && other.mass > kObstacleRatio * mover.mass;
 }
 
-float farthestAlong(const geometry::Proxy& proxy, const Transform& pose, const Vec3& direction) {
+/// How far the proxy reaches from its pose's position. [m]
+float reachAlong(const geometry::Proxy& proxy, const Transform& pose, const Vec3& direction) {
   const Vec3 local = pose.unrotate(direction);
+  if (proxy.isSphere()) return local.dot(proxy.center) + proxy.radius;
   float along = -3.0e38f;
   for (const geometry::Vertex& vertex : proxy.convex.vertices) along = maxOf(along, local.dot(vertex.point));
-  if (proxy.isSphere()) along = local.dot(proxy.center) + proxy.radius;
-  return along + pose.position.dot(direction);
+  return along;
 }
 
 float turnOf(const Quat& from, const Quat& to) {
@@ -26,7 +27,9 @@ float turnOf(const Quat& from, const Quat& to) {
 }  // namespace
 
 float Pair::separation(const Transform& pose, const Transform& otherPose) const {
-  return -farthestAlong(proxy, pose, -normal) - farthestAlong(otherProxy, otherPose, normal);
+  // The two positions meet before anything is rounded: the same bits wherever the origin lies.
+  const float apart = (pose.position - otherPose.position).dot(normal);
+  return apart - reachAlong(proxy, pose, -normal) - reachAlong(otherProxy, otherPose, normal);
 }
 
 Pair pairOf(State& state, const Meeting& meeting) {

@@ -54,6 +54,7 @@ constexpr Case kCases[] = {
     {"B36", "distance of slivers, neighbours, deep overlaps",
      "within 1e-5 of the exact answer; unit normals; ends in time"},
     {"B37", "what glass looks like", "cracks grow with the square root of speed; tempered: 40 dice per 50 x 50 mm"},
+    {"B38", "the origin shifts in the tick of a break", "the same bits relative to it; no contact lost or found"},
     {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
     {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
     {"B41", "1,000 to 32,000 bodies made and removed", "work per body flat within 1.5; memory returns"},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/physics/contact_rows.h"
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
 
@@ -97,6 +98,19 @@ TEST(Stack, OnlyTallOnesTakeMoreRounds) {
   falling.world.destroyBody(falling.floor);
   falling.step(2);
   EXPECT_EQ(falling.world.state().stacks.rounds(), 0);
+}
+
+// Between the rounds for tall stacks impulses go on along their way, below zero too: what slides by nothing then has no
+// friction, and stays a number.
+TEST(Stack, ImpulsesBelowZeroHaveNoFriction) {
+  ContactRows<float> rows;
+  rows.friction = 0.5f;
+  rows.point[0].impulse = -1.0f;
+  PairVelocity<float> v{};
+  rows.solveFriction(v);
+  EXPECT_EQ(rows.slide[0].impulse, 0.0f);
+  EXPECT_EQ(rows.slide[1].impulse, 0.0f);
+  EXPECT_EQ(rows.twistImpulse, 0.0f);
 }
 
 }  // namespace
