@@ -72,11 +72,9 @@ function init()
   mgMaterial("steel")
   a = mgCreateBody(-0.5, 1, 0) mgCreateBox(a, 0.2, 0.2, 0.2)
   b = mgCreateBody(0.5, 1, 0) mgCreateBox(b, 0.2, 0.2, 0.2)
-  ticks = 0
 end
 function tick()
-  ticks = ticks + 1
-  if ticks == 60 then mgCreateBallJoint(a, b, 0, 1, 0) end
+  if not joint and mgCameraDistance() < 9 then joint = mgCreateBallJoint(a, b, 0, 1, 0) end
 end)");
   const auto game = newTestGame(source), again = newTestGame(source);
   play(*game, 20);
