@@ -65,13 +65,18 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
   return look;
 }
 
-/// What only its look calls for: once a segment, however many of its boxes ask.
-void demandEffects(const SegmentLook& look, const std::string& who, effects::EffectSet& effects) {
-  const auto any = [&look](auto asks) { return std::any_of(look.boxes.begin(), look.boxes.end(), asks); };
-  if (any([](const LookBox& box) { return box.glow > 0.0f; })) effects.demand(effects::Effect::Bloom, who);
-  if (any([](const LookBox& box) { return box.reflects; })) effects.demand(effects::Effect::Mirror, who);
-  if (look.softShadow > 0.0f) effects.demand(effects::Effect::Shadows, who);
-  if (!look.decals.empty()) effects.demand(effects::Effect::Decals, who);
+/// What only its look calls for: once a segment, by the first of its elements that asks.
+void demandEffects(const content::Segment& segment, const SegmentLook& look, effects::EffectSet& effects) {
+  const auto demandBy = [&](effects::Effect effect, const auto& elements, auto asks) {
+    const auto first = std::find_if(elements.begin(), elements.end(), asks);
+    if (first != elements.end()) effects.demand(effect, segment.file + ":" + std::to_string(first->line));
+  };
+  const auto isSeen = [](const content::Box& box) { return box.visible && !box.hidden; };
+  demandBy(effects::Effect::Bloom, segment.boxes, [=](const auto& box) { return isSeen(box) && box.glow > 0.0f; });
+  demandBy(effects::Effect::Mirror, segment.boxes, [=](const auto& box) { return isSeen(box) && box.reflection; });
+  demandBy(effects::Effect::Decals, segment.decals, [](const auto& decal) { return !decal.hidden; });
+  if (look.softShadow > 0.0f)
+    effects.demand(effects::Effect::Shadows, segment.file + ":" + std::to_string(segment.line));
 }
 
 /// No file's: the colon leads out of the assets.
@@ -230,7 +235,7 @@ void placeBoxes(Session& session, const std::string& name, const content::Segmen
   PlannedSegment placed;
   placed.start = start;
   placed.look = makeLook(name, segment);
-  demandEffects(*placed.look, segment.file, plan.effects);
+  demandEffects(segment, *placed.look, plan.effects);
   for (const content::Box& box : segment.boxes)
     if (!box.hidden) placed.solids.push_back({box.position, box.halfExtents});
   plan.segments.push_back(std::move(placed));

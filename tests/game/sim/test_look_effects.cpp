@@ -33,8 +33,8 @@ TEST(LookEffects, ARoomThatAsksForNoneHasNone) {
   for (const Effect effect : kSeen) EXPECT_FALSE(newTestGame(source)->effects().has(effect)) << nameOf(effect);
 }
 
-TEST(LookEffects, EachIsDemandedByTheFileThatAsks) {
-  const std::string box = "<box pos=\"0 2 -16\" size=\"1 1 1\" visible=\"1\" ", file = "segments/test/plain.xml";
+TEST(LookEffects, EachIsDemandedByTheLineThatAsksFirst) {
+  const std::string box = "<box pos=\"0 2 -16\" size=\"1 1 1\" visible=\"1\" ", file = "segments/test/plain.xml:1";
   const auto asked = [&](Effect effect, const std::string& attributes, const std::string& elements) {
     return whoAskedFor(effect, roomOf(attributes, elements));
   };
