@@ -28,5 +28,7 @@ struct Timings {
 
 /// Its parts as a small table in the corner.
 void addTimings(const Timings& timings, render::Frame& frame);
+/// Below that table: every effect that runs in a room of the packet, a line each.
+void addRunning(const sim::FramePacket& packet, render::Frame& frame);
 
 }  // namespace brittle::view

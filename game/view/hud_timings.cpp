@@ -33,4 +33,11 @@ void addTimings(const Timings& timings, render::Frame& frame) {
   }
 }
 
+void addRunning(const sim::FramePacket& packet, render::Frame& frame) {
+  int line = 6;  // the table has five, and one between
+  for (std::size_t i = 0; i < effects::kEffects; ++i)
+    if (const auto effect = static_cast<effects::Effect>(i); packet.runs(effect))
+      addCell(kLeft, line++, render::HudAlign::Left, effects::nameOf(effect), frame);
+}
+
 }  // namespace brittle::view

@@ -191,7 +191,10 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   addGlows(tick);
   addPowerUps(seen_, timeAt(alpha_), frame_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
-  if (timings != nullptr) addTimings(*timings, frame_);
+  if (timings != nullptr) {
+    addTimings(*timings, frame_);
+    addRunning(seen_, frame_);
+  }
   return frame_;
 }
 

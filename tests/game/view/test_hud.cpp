@@ -107,6 +107,20 @@ TEST(Hud, LongTimesStandApartFromTheirNames) {
   }
 }
 
+TEST(Hud, ListsTheEffectsThatRunBelowTheTimes) {
+  sim::FramePacket packet = playingAt(100);
+  packet.rooms[0].effects = effects::EffectMask().with(effects::Effect::Water).with(effects::Effect::Echo);
+  render::Frame frame;
+  addTimings({}, frame);
+  const float lowest = frame.texts.back().at.offset.y();
+  frame.texts.clear();
+  addRunning(packet, frame);
+  ASSERT_EQ(frame.texts.size(), 2u);
+  EXPECT_EQ(frame.texts[0].text, "water");
+  EXPECT_EQ(frame.texts[1].text, "echo");
+  EXPECT_GT(frame.texts[0].at.offset.y(), lowest);
+}
+
 TEST(Hud, HintsUntilTheFirstThrow) {
   const sim::FramePacket packet = playingAt(100);
   EXPECT_THAT(textsOf(packet), Contains("TAP TO THROW"));
