@@ -131,8 +131,7 @@ content::MemorySource roomOf(const Extra& extra) {
   source.add("rooms/probe/room.lua", "function init() " + extra.room + "mgSegment(\"probe/room\", 0) mgLength(30) end");
   source.add("segments/probe/room.xml", "<segment size=\"12 10 32\" " + extra.attributes +
                                             "><box pos=\"0 -1.2 -16\" size=\"4 .2 16\" visible=\"1\" " + extra.floor +
-                                            "/>" + extra.elements +
-                                            "<obstacle pos=\"0 1 -14\" type=\"crates\"/></segment>");
+                                            "/>" + extra.elements + crates + "</segment>");
   source.add("obstacles/crates.lua", filled(filled(kCrates, "EXTRA_CRATES", extra.crates), "EXTRA_TICK", extra.tick));
   source.add("obstacles/panes.lua", kPanes);
   return source;
