@@ -1,39 +1,15 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "engine/render/gl_null.h"
-#include "engine/render/renderer.h"
+#include "on_null.h"
 
 namespace brittle::render {
 namespace {
 
-class PuffsOnNull : public ::testing::Test {
+class PuffsOnNull : public OnNull {
  protected:
   static void fill(Frame& frame) { frame.puffs.push_back({Vec3(0.0f, 0.0f, -3.0f), 0.5f, kWhite, 0.0f, 1.0f}); }
-  void draw(const Frame& frame) {
-    NullGl null;
-    auto made = Renderer::create(null.table(), {.width = 320, .height = 180});
-    ASSERT_TRUE(made) << made.error().message;
-    const std::size_t before = null.liveObjects();
-    null.clearRecord();
-    (*made)->draw(frame);
-    objects_ = null.liveObjects() - before;
-    programs_ = null.calls("CreateProgram");
-    blits_ = null.calls("BlitFramebuffer");
-    draws_ = null.draws().size();
-    EXPECT_THAT(null.complaints(), ::testing::IsEmpty());
-    made->reset();
-    EXPECT_EQ(null.liveObjects(), 0u);
-  }
-  std::size_t objects_ = 0, draws_ = 0;
-  std::uint32_t programs_ = 0, blits_ = 0;
 };
 
 TEST_F(PuffsOnNull, CostNothingWhereNobodyAsks) {
-  draw(Frame{});
-  EXPECT_EQ(programs_, 0u);
-  EXPECT_EQ(objects_, 0u);
-  EXPECT_EQ(blits_, 0u);
+  expectNothingMade();
 }
 
 TEST_F(PuffsOnNull, AreDrawnWhereTheyAre) {

@@ -1,10 +1,6 @@
 #include "engine/render/water.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "engine/render/gl_null.h"
-#include "engine/render/renderer.h"
+#include "on_null.h"
 
 namespace brittle::render {
 namespace {
@@ -40,32 +36,10 @@ TEST(WaterPacking, GivesCornersSlopesAndTwoTrianglesACell) {
   }
 }
 
-class WaterOnNull : public ::testing::Test {
- protected:
-  void draw(const Frame& frame, bool refraction) {
-    NullGl null;
-    auto made = Renderer::create(null.table(), {.width = 320, .height = 180, .refraction = refraction});
-    ASSERT_TRUE(made) << made.error().message;
-    before_ = null.liveObjects();
-    null.clearRecord();
-    (*made)->draw(frame);
-    objects_ = null.liveObjects() - before_;
-    programs_ = null.calls("CreateProgram");
-    blits_ = null.calls("BlitFramebuffer");
-    draws_ = null.draws().size();
-    EXPECT_THAT(null.complaints(), ::testing::IsEmpty());
-    made->reset();
-    EXPECT_EQ(null.liveObjects(), 0u);
-  }
-  std::size_t before_ = 0, objects_ = 0, draws_ = 0;
-  std::uint32_t programs_ = 0, blits_ = 0;
-};
+class WaterOnNull : public OnNull {};
 
 TEST_F(WaterOnNull, CostsNothingWhereThereIsNone) {
-  draw(Frame{}, true);
-  EXPECT_EQ(programs_, 0u);
-  EXPECT_EQ(objects_, 0u);
-  EXPECT_EQ(blits_, 0u);
+  expectNothingMade();
 }
 
 TEST_F(WaterOnNull, IsADrawASurfaceAndTwoCopies) {
