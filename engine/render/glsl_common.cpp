@@ -55,6 +55,18 @@ vec4 unpackColor(uint c) { return vec4(c & 255u, (c >> 8) & 255u, (c >> 16) & 25
 )";
 
 const char* const kFragmentCommon = R"(
+// Value noise on a grid of 1, from 0 to 1.
+float chance(vec2 cell) {
+  vec3 p = fract(vec3(cell.xyx) * 0.1031);
+  p += dot(p, p.yzx + 33.33);
+  return fract((p.x + p.y) * p.z);
+}
+float noise(vec2 p) {
+  vec2 cell = floor(p), f = fract(p);
+  f = f * f * (3.0 - 2.0 * f);
+  return mix(mix(chance(cell), chance(cell + vec2(1.0, 0.0)), f.x),
+             mix(chance(cell + vec2(0.0, 1.0)), chance(cell + vec2(1.0, 1.0)), f.x), f.y);
+}
 vec3 fogColor() {
   vec3 c = mix(frame.fogBottom.rgb, frame.fogTop.rgb, gl_FragCoord.y * frame.picture.w);
   return decode(clamp(c, 0.0, 1.0));

@@ -27,17 +27,6 @@ in vec3 vPoint;
 flat in vec4 vColor;
 flat in vec3 vForm;
 out vec4 result;
-float chance(vec2 cell) {
-  vec3 p = fract(vec3(cell.xyx) * 0.1031);
-  p += dot(p, p.yzx + 33.33);
-  return fract((p.x + p.y) * p.z);
-}
-float noise(vec2 p) {
-  vec2 cell = floor(p), f = fract(p);
-  f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(chance(cell), chance(cell + vec2(1.0, 0.0)), f.x),
-             mix(chance(cell + vec2(0.0, 1.0)), chance(cell + vec2(1.0, 1.0)), f.x), f.y);
-}
 void main() {
   float reach = length(vAt);
   if (reach >= 1.0) discard;

@@ -30,17 +30,6 @@ float depthAt(vec2 at) {
   float n = frame.forward.w, f = frame.eye.w;
   return 2.0 * n * f / (f + n - (2.0 * texture(depthTexture, at).r - 1.0) * (f - n));
 }
-float chance(vec2 cell) {
-  vec3 p = fract(vec3(cell.xyx) * 0.1031);
-  p += dot(p, p.yzx + 33.33);
-  return fract((p.x + p.y) * p.z);
-}
-float noise(vec2 p) {
-  vec2 cell = floor(p), f = fract(p);
-  f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(chance(cell), chance(cell + vec2(1.0, 0.0)), f.x),
-             mix(chance(cell + vec2(0.0, 1.0)), chance(cell + vec2(1.0, 1.0)), f.x), f.y);
-}
 // The slope of waves too short for the grid: six of them, each its own way.
 vec2 fineSlope(vec2 p, float t) {
   vec2 sum = vec2(0.0);
