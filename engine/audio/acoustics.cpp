@@ -1,12 +1,10 @@
 #include "engine/audio/acoustics.h"
 
-#include "engine/effects/built.h"
+#include "engine/effects/has/echo.h"
+#include "engine/effects/has/reverb.h"
 
 namespace brittle::audio {
 namespace {
-
-constexpr bool kHasReverb = effects::isBuilt(effects::Effect::Reverb);
-constexpr bool kHasEcho = effects::isBuilt(effects::Effect::Echo);
 
 void limit(float& value, float low, float high) {
   value = value == value ? clampTo(value, low, high) : low;
@@ -27,30 +25,30 @@ Acoustics withinLimits(Acoustics asked) {
 }
 
 Space::Space(const Acoustics& acoustics) {
-  if constexpr (kHasReverb)
+  if constexpr (effects::kHasReverb)
     if (acoustics.reverb.volume > 0.0f) reverb_.emplace(acoustics.reverb);
-  if constexpr (kHasEcho)
+  if constexpr (effects::kHasEcho)
     if (acoustics.echo.volume > 0.0f) echo_.emplace(acoustics.echo);
 }
 
 void Space::process(const Block& in, Block& out) {
-  if constexpr (kHasReverb)
+  if constexpr (effects::kHasReverb)
     if (reverb_) reverb_->process(in, out);
-  if constexpr (kHasEcho)
+  if constexpr (effects::kHasEcho)
     if (echo_) echo_->process(in, out);
 }
 
 bool Space::isSilent() const {
   bool isSilent = true;
-  if constexpr (kHasReverb) isSilent = isSilent && (!reverb_ || reverb_->isSilent());
-  if constexpr (kHasEcho) isSilent = isSilent && (!echo_ || echo_->isSilent());
+  if constexpr (effects::kHasReverb) isSilent = isSilent && (!reverb_ || reverb_->isSilent());
+  if constexpr (effects::kHasEcho) isSilent = isSilent && (!echo_ || echo_->isSilent());
   return isSilent;
 }
 
 std::size_t Space::bytes() const {
   std::size_t bytes = 0;
-  if constexpr (kHasReverb) bytes += reverb_ ? reverb_->bytes() : 0;
-  if constexpr (kHasEcho) bytes += echo_ ? echo_->bytes() : 0;
+  if constexpr (effects::kHasReverb) bytes += reverb_ ? reverb_->bytes() : 0;
+  if constexpr (effects::kHasEcho) bytes += echo_ ? echo_->bytes() : 0;
   return bytes;
 }
 

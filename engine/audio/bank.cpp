@@ -4,12 +4,13 @@
 #include "engine/audio/slow_motion.h"
 #include "engine/audio/synthesis.h"
 #include "engine/core/profile.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/explosions.h"
+#include "engine/effects/has/lasers.h"
+#include "engine/effects/has/slow_motion.h"
+#include "engine/effects/has/water.h"
 
 namespace brittle::audio {
 namespace {
-
-using effects::isBuilt;
 
 /// How many variations it takes until repeats are not noticed: more of what is heard often.
 std::uint32_t countOf(Sound sound) {
@@ -43,17 +44,17 @@ std::uint32_t countOf(Sound sound) {
 }
 
 Samples ofModule(Sound sound, Random& random) {
-  if constexpr (isBuilt(effects::Effect::Explosions)) {
+  if constexpr (effects::kHasExplosions) {
     if (sound == Sound::BlastSmall) return blast(0.0f, random);
     if (sound == Sound::BlastMedium) return blast(0.4f, random);
     if (sound == Sound::BlastLarge) return blast(1.0f, random);
   }
-  if constexpr (isBuilt(effects::Effect::SlowMotion))
+  if constexpr (effects::kHasSlowMotion)
     if (sound == Sound::TimeSlows || sound == Sound::TimeReturns) return timeBend(sound == Sound::TimeReturns);
-  if constexpr (isBuilt(effects::Effect::Water))
+  if constexpr (effects::kHasWater)
     if (const int size = static_cast<int>(sound) - static_cast<int>(Sound::SplashDrip); size >= 0 && size < 4)
       return splash(size, random);
-  if constexpr (isBuilt(effects::Effect::Lasers)) {
+  if constexpr (effects::kHasLasers) {
     if (sound == Sound::LaserHum) return laserHum(random);
     if (sound == Sound::LaserHit) return laserHit(random);
     if (sound == Sound::LaserDischarge) return laserDischarge(random);

@@ -1,7 +1,7 @@
 #include "engine/audio/mixer.h"
 
 #include "engine/core/assert.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/low_pass.h"
 
 namespace brittle::audio {
 
@@ -91,7 +91,7 @@ void Mixer::renderBlock() {
   Block sent;
   voices_.render(rate_, block_, space_ != nullptr ? &sent : nullptr);
   renderSpaces(sent);
-  if constexpr (effects::isBuilt(effects::Effect::LowPass)) applyLowPass();
+  if constexpr (effects::kHasLowPass) applyLowPass();
   limiter_.process(block_);
   given_ = 0;
 }

@@ -1,5 +1,5 @@
 // effects/effect.h - everything that costs time or memory and that a scene can do without. Each has a module of its
-// own (built.h), which runs only where content demands it (effect_set.h) and the player has not switched it off.
+// own (has/NAME.h), which runs only where content demands it (effect_set.h) and the player has not switched it off.
 #pragma once
 
 #include <cstddef>
@@ -78,6 +78,10 @@ EffectMask maskOf(Kind kind);
 /// Nothing if no effect has that name.
 std::optional<Effect> effectNamed(std::string_view name);
 const EffectInfo& infoOf(Effect effect);
-inline const char* nameOf(Effect effect) { return infoOf(effect).name; }
+inline const char* nameOf(Effect effect) {
+  return infoOf(effect).name;
+}
+/// Whether its module is compiled in. Where a stage is called, kHasNAME says so to the compiler.
+bool isBuilt(Effect effect);
 
 }  // namespace brittle::effects

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/built.h"
 #include "engine/effects/effect.h"
 
 namespace brittle::effects {

@@ -48,10 +48,10 @@ using SplitScratch = SplitScratchT<float>;
 /// Cuts `parent` by `plane` (unit normal, except for exact scalars) into `above` (signed distance >= 0) and `below`. If
 /// the outcome is not Split, neither is written. If `parent` is valid, so are both pieces: one closed cap each,
 /// bit-identical cap vertices, other faces with the parent's planes bit for bit. Cap vertices lie within 2^-20 of the
-/// parent's extent, or 8 units in the last place of its largest coordinate, of the plane. `above` and `below` must not
-/// alias `parent`. The order of vertices, faces and edges depends on the arguments only (replays rely on it). Linear in
-/// half-edges; allocates only what the pieces and the scratch grow. Source: Gustafsson, Procedural Destruction (talk):
-/// classify by sign, clamp to the edge, then topology only; the sign repair is ours, see split.cpp.
+/// parent's extent and 8 units in the last place of its largest coordinate, together, of the plane. `above` and `below`
+/// must not alias `parent`. The order of vertices, faces and edges depends on the arguments only (replays rely on it).
+/// Linear in half-edges; allocates only what the pieces and the scratch grow. Source: Gustafsson, Procedural
+/// Destruction (talk): classify by sign, clamp to the edge, then topology only; the sign repair is ours, see split.cpp.
 template <class S>
 SplitOutcome split(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
                    ConvexT<S>& above, ConvexT<S>& below);

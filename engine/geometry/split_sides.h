@@ -124,10 +124,10 @@ struct Sides {
     keepLargestOf(kBelow);
   }
 
-  /// After a repair: a vertex farther on the wrong side than rounding and moving away explain would make a dent. Cut
-  /// vertices lie no farther off than the ends of their edges.
+  /// After a repair: a vertex farther on the wrong side than rounding and moving away together explain would make a
+  /// dent. Cut vertices lie no farther off than the ends of their edges.
   bool isTooFarOff() const {
-    const S most = maxOf<S>(slack, S(kMoveAway) * extent);
+    const S most = slack + S(kMoveAway) * extent;
     for (std::size_t i = 0; i < scratch.sides.size(); ++i) {
       const S& distance = scratch.distances[i];
       if (scratch.sides[i] == kAbove ? distance < S(-most) : most < distance) return true;

@@ -4,11 +4,12 @@
 #include <iterator>
 
 #include "engine/core/profile.h"
+#include "engine/effects/has/joints.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
-#include "engine/physics/edit.h"
 #include "engine/physics/debris_step.h"
+#include "engine/physics/edit.h"
 #include "engine/physics/joint.h"
 
 namespace brittle::physics {
@@ -123,7 +124,7 @@ void placePieces(State& state, const Fracture& result, std::size_t first, std::s
     swap.shapeOfPiece[i] = shape;
     if (!swap.isCarvedOut[piece.group]) swap.piecesOfShape.push_back(shape);
   }
-  if constexpr (kHasJoints)
+  if constexpr (effects::kHasJoints)
     if (!result.pieces[heir].isWhole)
       moveJoints(state, source, swap.piecesOfShape.data(), static_cast<std::uint32_t>(swap.piecesOfShape.size()),
                  kCrackSlop);
@@ -144,7 +145,7 @@ void dropLostShapes(State& state, const Fracture& result, const Swap& swap) {
   for (const Piece& piece : result.pieces) kept[piece.source] = true;
   for (std::size_t i = 0; i < swap.shapes.size(); ++i) {
     if (kept[i]) continue;
-    if constexpr (kHasJoints) moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
+    if constexpr (effects::kHasJoints) moveJoints(state, swap.shapes[i], nullptr, 0, kCrackSlop);
     dropShape(state, swap.shapes[i]);
   }
 }

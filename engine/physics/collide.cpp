@@ -1,9 +1,9 @@
 #include "engine/physics/collide.h"
 
 #include "engine/core/profile.h"
+#include "engine/effects/has/joints.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
-#include "engine/physics/modules.h"
 #include "engine/physics/point_lanes.h"
 
 namespace brittle::physics {
@@ -51,7 +51,7 @@ bool mayTouch(const State& state, const Shape& a, const Shape& b) {
   const Body& bodyA = state.bodyOf(a);
   const Body& bodyB = state.bodyOf(b);
   if (!bodyA.isDynamic() && !bodyB.isDynamic()) return false;
-  if constexpr (kHasJoints)
+  if constexpr (effects::kHasJoints)
     if (state.joints.size() > 0 && state.jointedBodies[a.body.index] && state.jointedBodies[b.body.index])
       return !jointForbidsCollision(state, a.body, b.body);
   return true;

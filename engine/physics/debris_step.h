@@ -1,7 +1,7 @@
 // physics/debris_step.h - the life of light debris: made by breaking, falling, resting on static geometry, recycled.
 #pragma once
 
-#include "engine/physics/modules.h"
+#include "engine/effects/has/debris.h"
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
@@ -10,7 +10,7 @@ namespace brittle::physics {
 void addCrumb(State& state, const Vec3& position, const Vec3& velocity, float volume, std::uint32_t color);
 /// What becomes of a piece too small to be a body: a crumb, or without the module its volume is counted as recycled.
 inline void shed(State& state, const Vec3& position, const Vec3& velocity, float volume, std::uint32_t color) {
-  if constexpr (kHasDebris) {
+  if constexpr (effects::kHasDebris) {
     addCrumb(state, position, velocity, volume, color);
   } else {
     ++state.debris.recycled;

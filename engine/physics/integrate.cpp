@@ -1,11 +1,11 @@
 #include "engine/physics/integrate.h"
 
 #include "engine/core/profile.h"
+#include "engine/effects/has/joints.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
 #include "engine/physics/edit.h"
-#include "engine/physics/modules.h"
 #include "engine/physics/sweep.h"
 
 namespace brittle::physics {
@@ -108,7 +108,7 @@ void correctPositions(State& state) {
   });
   for (int pass = 0; pass < state.accuracy.positionIterations; ++pass) {
     for (const std::uint32_t slot : state.overlapping) pushApart(state, state.contacts.at(slot));
-    if constexpr (kHasJoints) state.jointSolver.correctPositions(state);
+    if constexpr (effects::kHasJoints) state.jointSolver.correctPositions(state);
   }
   confineBodies(state);
 }

@@ -1,6 +1,7 @@
 // Moving the origin: everything in world space that outlives a tick moves with it, so that what is far from where the
 // world began is computed with the same bits as what is near.
-#include "engine/physics/modules.h"
+#include "engine/effects/has/drives.h"
+#include "engine/effects/has/joints.h"
 #include "engine/physics/state.h"
 #include "engine/physics/world.h"
 
@@ -17,8 +18,8 @@ void World::shiftOrigin(const Vec3& offset) {
   });
   for (Crumb& crumb : state.debris.crumbs) crumb.position -= offset;
   state.tree.shift(-offset);
-  if constexpr (kHasJoints) shiftJoints(state, offset);
-  if constexpr (kHasDrives) shiftDrives(state, offset);
+  if constexpr (effects::kHasJoints) shiftJoints(state, offset);
+  if constexpr (effects::kHasDrives) shiftDrives(state, offset);
 }
 
 }  // namespace brittle::physics

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "engine/core/profile.h"
+#include "engine/effects/has/drives.h"
+#include "engine/effects/has/joints.h"
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/contact_prepare.h"
-#include "engine/physics/modules.h"
 #include "engine/physics/pair_velocity.h"
 #include "engine/physics/state.h"
 
@@ -196,7 +197,7 @@ void ContactSolver::warmStartRows(State& state) {
     single.rows.warmStart(v);
     storePair(*bodies_, single.bodyA, single.bodyB, v);
   }
-  if constexpr (kHasJoints) state.jointSolver.warmStart(bodies_->data());
+  if constexpr (effects::kHasJoints) state.jointSolver.warmStart(bodies_->data());
 }
 
 void ContactSolver::solve(State& state, int iterations) {
@@ -204,8 +205,8 @@ void ContactSolver::solve(State& state, int iterations) {
 }
 
 void ContactSolver::sweep(State& state, bool backwards) {
-  if constexpr (kHasJoints) state.jointSolver.solve(bodies_->data());
-  if constexpr (kHasDrives) state.driveSolver.solve(bodies_->data());
+  if constexpr (effects::kHasJoints) state.jointSolver.solve(bodies_->data());
+  if constexpr (effects::kHasDrives) state.driveSolver.solve(bodies_->data());
   solveBatches(backwards);
   solveGroups(state);
 }
@@ -302,7 +303,7 @@ void ContactSolver::store(State& state) const {
     for (int lane = 0; lane < batches_[i].lanes; ++lane)
       storeLane(batches_[i].rows, lane, state.contacts.at(batches_[i].contact[lane]).manifold);
   for (const Single& single : singles_) storeLane(single.rows, 0, state.contacts.at(single.contact).manifold);
-  if constexpr (kHasJoints) state.jointSolver.store(state);
+  if constexpr (effects::kHasJoints) state.jointSolver.store(state);
 }
 
 // One row at a time: rebounds are few. Bodies have moved since the solve, so their centres are read anew.

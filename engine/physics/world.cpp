@@ -1,6 +1,11 @@
 #include "engine/physics/world.h"
 
 #include "engine/core/profile.h"
+#include "engine/effects/has/debris.h"
+#include "engine/effects/has/drives.h"
+#include "engine/effects/has/fracture.h"
+#include "engine/effects/has/joints.h"
+#include "engine/effects/has/stacks.h"
 #include "engine/physics/breakage.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
@@ -8,7 +13,6 @@
 #include "engine/physics/debris_step.h"
 #include "engine/physics/fracture_stage.h"
 #include "engine/physics/integrate.h"
-#include "engine/physics/modules.h"
 #include "engine/physics/quarantine.h"
 #include "engine/physics/reach.h"
 #include "engine/physics/recycle.h"
@@ -24,13 +28,13 @@ constexpr int kContactSteps = 4;
 void solve(State& state, float dt, bool isFirstPass) {
   BR_ZONE("solve");
   ContactSolver& solver = state.contactSolver;
-  if constexpr (kHasJoints) state.jointSolver.prepare(state, dt, isFirstPass);
-  if constexpr (kHasDrives) state.driveSolver.prepare(state, dt, isFirstPass);
+  if constexpr (effects::kHasJoints) state.jointSolver.prepare(state, dt, isFirstPass);
+  if constexpr (effects::kHasDrives) state.driveSolver.prepare(state, dt, isFirstPass);
   solver.prepare(state, dt, isFirstPass);
   // Later passes start from the first one's answer and only take in what a breaking changed.
   const int iterations = state.accuracy.iterations;
-  const int tallRounds = kHasStacks && isFirstPass ? state.stacks.rounds() : 0;
-  if constexpr (kHasStacks)
+  const int tallRounds = effects::kHasStacks && isFirstPass ? state.stacks.rounds() : 0;
+  if constexpr (effects::kHasStacks)
     if (tallRounds > 0) solver.solveTall(state, maxOf(tallRounds, iterations / 2));
   if (tallRounds == 0) solver.solve(state, isFirstPass ? iterations : (iterations + 1) / 2);
   solver.store(state);
@@ -46,33 +50,33 @@ void solveAndBreak(State& state, float dt) {
       reachAll(state, state.reach);
     else
       reachFrom(state, state.touchedBodies, kContactSteps, state.reach);
-    if constexpr (kHasFracture) limitImpulses(state, dt);
+    if constexpr (effects::kHasFracture) limitImpulses(state, dt);
     solve(state, dt, pass == 0);
     ++state.counters.passes;
     goesOn = false;
-    if constexpr (kHasFracture) goesOn = breakOrAdvance(state, round, dt);
+    if constexpr (effects::kHasFracture) goesOn = breakOrAdvance(state, round, dt);
   }
 }
 
 /// One sub-step. The numbers are those of the algorithm in the README.
 void step(State& state, float dt) {
   quarantine(state);
-  if constexpr (kHasJoints) wakeByJoints(state);
-  if constexpr (kHasDrives) wakeByDrives(state);
+  if constexpr (effects::kHasJoints) wakeByJoints(state);
+  if constexpr (effects::kHasDrives) wakeByDrives(state);
   integrateVelocities(state, dt);  // 1
-  if constexpr (kHasFracture) beginBreaking(state, dt);
+  if constexpr (effects::kHasFracture) beginBreaking(state, dt);
   detectCollisions(state, dt);  // 2
-  if constexpr (kHasStacks) state.stacks.measure(state, dt);
+  if constexpr (effects::kHasStacks) state.stacks.measure(state, dt);
   solveAndBreak(state, dt);  // 3 to 5
-  if constexpr (kHasFracture) endBreaking(state, dt);
-  if constexpr (kHasStacks) state.stacks.hold(state, dt);
+  if constexpr (effects::kHasFracture) endBreaking(state, dt);
+  if constexpr (effects::kHasStacks) state.stacks.hold(state, dt);
   integratePositions(state, dt);  // 6
   state.contactSolver.applyRestitution(state);
   correctPositions(state);
-  if constexpr (kHasFracture) fractureAfterStep(state);
+  if constexpr (effects::kHasFracture) fractureAfterStep(state);
   finishContacts(state);
   state.contactSolver.forgetImpacts(state, dt);
-  if constexpr (kHasDebris) stepDebris(state, dt);
+  if constexpr (effects::kHasDebris) stepDebris(state, dt);
   recycleBodies(state);
   if (state.accuracy.deactivation) deactivate(state, dt);
 }
@@ -94,7 +98,7 @@ void countWhatIsThere(State& state) {
   counters.bodies = static_cast<std::uint32_t>(state.bodies.size());
   counters.shapes = static_cast<std::uint32_t>(state.shapes.size());
   counters.contacts = static_cast<std::uint32_t>(state.contacts.size());
-  if constexpr (kHasStacks) counters.tallest = static_cast<std::uint32_t>(state.stacks.height());
+  if constexpr (effects::kHasStacks) counters.tallest = static_cast<std::uint32_t>(state.stacks.height());
   state.bodies.forEach(
       [&](BodyHandle, const Body& body) { counters.awakeBodies += body.isDynamic() && body.awake ? 1 : 0; });
   state.contacts.forEach([&](ContactHandle, const Contact& contact) {

@@ -1,4 +1,6 @@
 // Making, unmaking and changing: World's door, where definitions are checked.
+#include "engine/effects/has/fracture.h"
+#include "engine/effects/has/joints.h"
 #include "engine/geometry/split.h"
 #include "engine/physics/anchor.h"
 #include "engine/physics/breakage.h"
@@ -6,7 +8,6 @@
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/deactivation.h"
 #include "engine/physics/edit.h"
-#include "engine/physics/modules.h"
 #include "engine/physics/world.h"
 
 namespace brittle::physics {
@@ -52,7 +53,7 @@ BodyHandle World::createBody(const BodyDef& def) {
   body.velocity = def.type == BodyType::Static ? Vec3(Vec3::Zero()) : def.velocity;
   body.angularVelocity = def.type == BodyType::Static ? Vec3(Vec3::Zero()) : def.angularVelocity;
   body.gravityScale = def.gravityScale;
-  body.breakable = kHasFracture && def.breakable.strength > 0.0f;
+  body.breakable = effects::kHasFracture && def.breakable.strength > 0.0f;
   body.breaking = def.breakable;
   body.assembly = def.assembly != 0 ? def.assembly : state_->nextAssembly++;
   body.userData = def.userData;
@@ -88,7 +89,7 @@ ShapeHandle World::addSphere(BodyHandle body, const ShapeDef& def, float radius,
 
 /// Before a shape goes: its joints go with it.
 static void leaveJoints(State& state, ShapeHandle shape) {
-  if constexpr (kHasJoints) moveJoints(state, shape, nullptr, 0, 0.0f);
+  if constexpr (effects::kHasJoints) moveJoints(state, shape, nullptr, 0, 0.0f);
 }
 
 void World::removeShape(ShapeHandle shape) {
@@ -99,8 +100,7 @@ void World::removeShape(ShapeHandle shape) {
 }
 
 void World::destroyBody(BodyHandle body) {
-  forEachShape(*state_, state_->bodies[body],
-               [&](ShapeHandle shape, const Shape&) { leaveJoints(*state_, shape); });
+  forEachShape(*state_, state_->bodies[body], [&](ShapeHandle shape, const Shape&) { leaveJoints(*state_, shape); });
   dropBody(*state_, body);
 }
 
@@ -162,7 +162,7 @@ void World::setBreakable(BodyHandle handle, const Breakable& breakable) {
     forEachShape(state, body, [&](ShapeHandle shape, const Shape&) { wakeTouching(state, shape); });
   }
   body.breaking = breakable;
-  body.breakable = kHasFracture && breakable.strength > 0.0f;
+  body.breakable = effects::kHasFracture && breakable.strength > 0.0f;
 }
 
 void World::setAccuracy(const Accuracy& accuracy) {
@@ -186,7 +186,7 @@ void World::breakBody(BodyHandle handle, const Vec3& point, const Vec3& directio
   const Body& body = state_->bodies[handle];
   const fracture::Impact impact{body.pose.toLocal(point), body.pose.unrotate(normalizedOr(direction, -Vec3::UnitZ())),
                                 speed, radius};
-  if constexpr (kHasFracture) physics::breakBody(*state_, handle, &impact, 1, {});
+  if constexpr (effects::kHasFracture) physics::breakBody(*state_, handle, &impact, 1, {});
 }
 
 }  // namespace brittle::physics

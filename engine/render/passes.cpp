@@ -2,7 +2,13 @@
 
 #include "engine/core/log.h"
 #include "engine/core/profile.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/bloom.h"
+#include "engine/effects/has/decals.h"
+#include "engine/effects/has/depth_of_field.h"
+#include "engine/effects/has/lasers.h"
+#include "engine/effects/has/shadows.h"
+#include "engine/effects/has/smoke.h"
+#include "engine/effects/has/water.h"
 #include "engine/render/glsl.h"
 #include "engine/render/text.h"
 #include "engine/render/tiles.h"
@@ -12,8 +18,6 @@ namespace brittle::render {
 namespace {
 
 using As = Attribute::As;
-using effects::Effect;
-using effects::isBuilt;
 
 constexpr std::array<Attribute, 4> kSphereLayout = {{{1, 4, GL_FLOAT, As::Float, 0},
                                                      {2, 4, GL_FLOAT, As::Float, 16},
@@ -74,23 +78,23 @@ Status Passes::build(Which which) {
                                                           &glsl::kSolid,
                                                           &glsl::kSphere,
                                                           &glsl::kCrumb,
-                                                          isBuilt(Effect::Decals) ? &glsl::kDecal : nullptr,
-                                                          isBuilt(Effect::Shadows) ? &glsl::kShadow : nullptr,
+                                                          effects::kHasDecals ? &glsl::kDecal : nullptr,
+                                                          effects::kHasShadows ? &glsl::kShadow : nullptr,
                                                           &glsl::kGlass,
                                                           &glsl::kEdge,
                                                           &glsl::kGlow,
                                                           &glsl::kBeam,
-                                                          isBuilt(Effect::Bloom) ? &glsl::kBright : nullptr,
-                                                          isBuilt(Effect::Bloom) ? &glsl::kBlur : nullptr,
+                                                          effects::kHasBloom ? &glsl::kBright : nullptr,
+                                                          effects::kHasBloom ? &glsl::kBlur : nullptr,
                                                           &glsl::kComposite,
                                                           &glsl::kHud,
                                                           &glsl::kOverlay,
-                                                          isBuilt(Effect::Water) ? &glsl::kWater : nullptr,
-                                                          isBuilt(Effect::Lasers) ? &glsl::kLaser : nullptr,
-                                                          isBuilt(Effect::Smoke) ? &glsl::kPuff : nullptr,
-                                                          isBuilt(Effect::DepthOfField) ? &glsl::kFar : nullptr,
-                                                          isBuilt(Effect::DepthOfField) ? &glsl::kDisc : nullptr,
-                                                          isBuilt(Effect::DepthOfField) ? &glsl::kFocus : nullptr};
+                                                          effects::kHasWater ? &glsl::kWater : nullptr,
+                                                          effects::kHasLasers ? &glsl::kLaser : nullptr,
+                                                          effects::kHasSmoke ? &glsl::kPuff : nullptr,
+                                                          effects::kHasDepthOfField ? &glsl::kFar : nullptr,
+                                                          effects::kHasDepthOfField ? &glsl::kDisc : nullptr,
+                                                          effects::kHasDepthOfField ? &glsl::kFocus : nullptr};
   static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();
@@ -247,7 +251,7 @@ void Passes::beams(const std::vector<BeamInstance>& instances) {
 
 void Passes::composite(Target& target, float strength, const Vec4& tint, const Vec4& border) {
   target.resolve(kUnitColor);
-  if constexpr (isBuilt(Effect::Bloom))
+  if constexpr (effects::kHasBloom)
     if (strength > 0.0f) bloom(target);
   target.bindPicture();
   setState(Depth::Off, Blend::Off, Faces::All);

@@ -5,15 +5,19 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/profile.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/decals.h"
+#include "engine/effects/has/depth_of_field.h"
+#include "engine/effects/has/lasers.h"
+#include "engine/effects/has/mirror.h"
+#include "engine/effects/has/shadows.h"
+#include "engine/effects/has/smoke.h"
+#include "engine/effects/has/water.h"
 #include "engine/render/passes.h"
 
 namespace brittle::render {
 
 namespace {
 
-using effects::Effect;
-using effects::isBuilt;
 
 constexpr int kMaxPicture = 16384;    // [pixels]
 constexpr float kRefraction = 0.07f;  // how far aside tilted glass looks [picture heights]; chosen by eye
@@ -91,13 +95,13 @@ void Renderer::Parts::drawRooms(const Frame& frame, bool polished) {
 }
 
 void Renderer::Parts::drawMirrored(const Frame& frame, const FrameUniforms& uniforms) {
-  if constexpr (isBuilt(Effect::Mirror)) {
+  if constexpr (effects::kHasMirror) {
     BR_ZONE("render mirror");
     passes->beginMirror(uniforms);
     drawRooms(frame, false);
     for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
     passes->spheres(instances.spheres);
-    if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
+    if constexpr (effects::kHasLasers) passes->lasers(instances.lasers);
     passes->endMirror();
   }
 }
@@ -108,14 +112,14 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   for (const Group* group : groups) passes->solid(*group->store, group->list.opaque);
   passes->spheres(instances.spheres);
   passes->crumbs(instances.crumbs);
-  if constexpr (isBuilt(Effect::Decals)) passes->decals(instances.decals);
+  if constexpr (effects::kHasDecals) passes->decals(instances.decals);
 }
 
 void Renderer::Parts::drawShadows(const Frame& frame, bool refracts) {
   BR_ZONE("render shadows");
   const bool seesThrough = refracts || (!frame.waters.empty() && def.refraction);
   if (seesThrough || !instances.shadows.empty() || !instances.puffs.empty()) target->copyDepth(kUnitDepth);
-  if constexpr (isBuilt(Effect::Shadows)) passes->shadows(instances.shadows);
+  if constexpr (effects::kHasShadows) passes->shadows(instances.shadows);
   drawWaters(frame);
   if (refracts) target->copyColor(kUnitColor);
 }
@@ -124,7 +128,7 @@ void Renderer::Parts::drawWaters(const Frame& frame) {
   if (frame.waters.empty()) return;
   BR_ZONE("render water");
   if (def.refraction) target->copyColor(kUnitColor);
-  if constexpr (isBuilt(Effect::Water))
+  if constexpr (effects::kHasWater)
     for (const Water& water : frame.waters) passes->water(water, def.refraction ? kRefraction : 0.0f);
 }
 
@@ -140,8 +144,8 @@ void Renderer::Parts::drawTranslucent(const Frame& frame) {
     passes->edges(*group->store, group->list.edges);
   }
   passes->beams(instances.beams);
-  if constexpr (isBuilt(Effect::Lasers)) passes->lasers(instances.lasers);
-  if constexpr (isBuilt(Effect::Smoke)) passes->puffs(instances.puffs);
+  if constexpr (effects::kHasLasers) passes->lasers(instances.lasers);
+  if constexpr (effects::kHasSmoke) passes->puffs(instances.puffs);
   passes->glows(instances.glows);
 }
 
@@ -203,7 +207,7 @@ void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   p.passes->background();
   if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
-  if constexpr (isBuilt(Effect::DepthOfField))
+  if constexpr (effects::kHasDepthOfField)
     if (frame.focus.strength > 0.0f) p.passes->focus(*p.target, frame.focus);
   p.drawTranslucent(frame);
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);

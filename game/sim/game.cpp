@@ -1,6 +1,6 @@
 #include "game/sim/game.h"
 
-#include "engine/effects/built.h"
+#include "engine/effects/has/slow_motion.h"
 #include "game/sim/level.h"
 #include "game/sim/session.h"
 #include "game/sim/track.h"
@@ -82,7 +82,7 @@ void Game::Impl::usePowerUps(std::uint8_t buttons) {
 
 /// Whole ticks, but for slow motion and until its time has caught up.
 TimeStep Game::Impl::passTime() {
-  if constexpr (effects::isBuilt(effects::Effect::SlowMotion)) {
+  if constexpr (effects::kHasSlowMotion) {
     const bool isSlow =
         session.inventory.runs(PowerUp::SlowMotion) && track->current().effects().runs(effects::Effect::SlowMotion);
     if (isSlow || !session.clock.isWhole()) return sim::passTime(session.clock, session.tick, isSlow);

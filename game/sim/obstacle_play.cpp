@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/effects/has/lasers.h"
 #include "engine/geometry/make.h"
 #include "engine/physics/world.h"
 #include "game/content/number.h"
@@ -71,7 +72,7 @@ void setButtonDown(script::Call& call, Obstacle& obstacle) {
 void laser(script::Call& call, Obstacle& obstacle) {
   if (!obstacle.room->effects().has(effects::Effect::Lasers))
     obstacle.room->demand(effects::Effect::Lasers, call.where());
-  if constexpr (effects::isBuilt(effects::Effect::Lasers))
+  if constexpr (effects::kHasLasers)
     if (obstacle.room->runs(effects::Effect::Lasers)) castLaser(call, obstacle);
 }
 

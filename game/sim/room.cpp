@@ -2,7 +2,8 @@
 
 #include "engine/core/profile.h"
 #include "engine/core/random.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/explosions.h"
+#include "engine/effects/has/water.h"
 #include "engine/geometry/make.h"
 #include "game/sim/level.h"
 #include "game/sim/pace.h"
@@ -56,16 +57,16 @@ void Room::tick(float distance, float speed, std::int32_t ticks, const TimeStep&
   startObstacles(distance);
   startPickups(distance);
   runScripts(&Obstacle::tickScript);
-  if constexpr (effects::isBuilt(effects::Effect::Water))
+  if constexpr (effects::kHasWater)
     if (runs(effects::Effect::Water))
       waters_.slow(*world_, plan_.waters, shift_, plan_.settings.gravity, time.seconds());
   world_->step(time.seconds());
   readEvents();
   if (world_->counters().tallest > 0) demandOnce(effects::Effect::Stacks, "a tall pile");
   collectPickups();
-  if constexpr (effects::isBuilt(effects::Effect::Explosions))
+  if constexpr (effects::kHasExplosions)
     if (runs(effects::Effect::Explosions)) explodeBalls();
-  if constexpr (effects::isBuilt(effects::Effect::Water))
+  if constexpr (effects::kHasWater)
     if (runs(effects::Effect::Water)) readSplashes();
   removeBehind();
   thinOut();

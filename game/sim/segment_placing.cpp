@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "engine/core/hash.h"
-#include "engine/effects/built.h"
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "engine/effects/built.h"
+#include "engine/effects/has/explosions.h"
 #include "game/view/hud_parts.h"
 #include "game/view/power_ups.h"
 
@@ -127,7 +127,7 @@ void addHud(const sim::FramePacket& packet, const Memory& memory, double tick, f
       1.0f -
       minOf(memory.ageOf(sim::EventType::CrystalMissed, tick), memory.ageOf(sim::EventType::Crash, tick)) / kLostTicks;
   const float pulse = clampTo(1.0f - memory.ballsAge(tick) / kPulseTicks, 0.0f, 1.0f);
-  if constexpr (effects::isBuilt(effects::Effect::Explosions)) addGlare(packet, memory, tick, frame);
+  if constexpr (effects::kHasExplosions) addGlare(packet, memory, tick, frame);
   addPain(hud, frame);
   if (!hud.powerUps.empty()) addPowerUpBorder(hud, tick, frame);
   if (hud.phase == sim::Phase::Playing) {  // the end has its own signs for all of this

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/effects/built.h"
+#include "engine/effects/has/explosions.h"
 #include "game/view/noise.h"
 #include "game/view/power_ups.h"
 
@@ -167,7 +167,7 @@ void addParticles(const sim::FramePacket& packet, const Memory& memory, double t
     const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
     if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
-    if constexpr (effects::isBuilt(effects::Effect::Explosions))
+    if constexpr (effects::kHasExplosions)
       if (r.event.type == sim::EventType::Explosion)
         addExplosion(r.event, r.pointIn(packet.originZ), age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::PowerUpCollected) addTaken(r.event, emitter);

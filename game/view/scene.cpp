@@ -3,7 +3,14 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/effects/built.h"
+#include "engine/effects/has/air.h"
+#include "engine/effects/has/bloom.h"
+#include "engine/effects/has/decals.h"
+#include "engine/effects/has/lasers.h"
+#include "engine/effects/has/shadows.h"
+#include "engine/effects/has/smoke.h"
+#include "engine/effects/has/splinters.h"
+#include "engine/effects/has/water.h"
 #include "game/view/air.h"
 #include "game/view/decals.h"
 #include "game/view/hud.h"
@@ -28,9 +35,6 @@ constexpr float kMostShake = 0.06f;      // [m], and as much in radians of roll
 constexpr float kBloom = 0.55f;
 constexpr float kCrashShake = 0.7f;  // of the most, at the moment of a crash
 
-/// Whether an effect's module is there to be called; whether its stage runs is the packet's to say.
-template <effects::Effect effect>
-constexpr bool kHas = effects::isBuilt(effect);
 using effects::Effect;
 
 float smooth(float t) {
@@ -115,14 +119,14 @@ void Scene::addRooms(const MeshPools& pools) {
       if (info.bodySlot >= room.bodies.size() || room.bodies[info.bodySlot].generation == 0) continue;
       group.meshes.push_back({slot, info.bodySlot, info.material, render::kWhite});
     }
-    if constexpr (kHas<Effect::Shadows>)
+    if constexpr (effects::kHasShadows)
       if (room.effects.has(Effect::Shadows)) addShadows(group, materials_, frame_.sphereShadow, frame_.shadows);
   }
 }
 
 /// Lamps shine beyond their outline, in the air about them and in the whole picture.
 void Scene::addLamps() {
-  if constexpr (kHas<Effect::Bloom>) {
+  if constexpr (effects::kHasBloom) {
     if (!hasLamps(seen_)) return;
     for (const sim::RoomView& room : seen_.rooms) {
       if (!room.effects.has(Effect::Bloom)) continue;
@@ -176,17 +180,17 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   if (seen_.runs(Effect::Mirror)) frame_.mirrorHeight = mirrorHeightOf(seen_);
   addRooms(pools);
   addThings();
-  if constexpr (kHas<Effect::Decals>)
+  if constexpr (effects::kHasDecals)
     if (seen_.runs(Effect::Decals)) addDecals(seen_, memory_, tick, frame_);
-  if constexpr (kHas<Effect::Air>)
+  if constexpr (effects::kHasAir)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
-  if constexpr (kHas<Effect::Water>)
+  if constexpr (effects::kHasWater)
     if (seen_.runs(Effect::Water)) addWaters(seen_, memory_, tick, frame_);
-  if constexpr (kHas<Effect::Lasers>)
+  if constexpr (effects::kHasLasers)
     if (seen_.runs(Effect::Lasers)) addLasers(seen_, tick, frame_);
-  if constexpr (kHas<Effect::Splinters>)
+  if constexpr (effects::kHasSplinters)
     if (seen_.runs(Effect::Splinters)) addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
-  if constexpr (kHas<Effect::Smoke>)
+  if constexpr (effects::kHasSmoke)
     if (seen_.runs(Effect::Smoke)) addSmoke(seen_, memory_, tick, frame_);
   addGlows(tick);
   addPowerUps(seen_, timeAt(alpha_), frame_);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/core/log.h"
-#include "engine/effects/built.h"
+#include "engine/effects/has/music.h"
 #include "game/sim/constants.h"
 
 namespace brittle::view {
@@ -40,7 +40,7 @@ void Sound::tick(const sim::FramePacket& packet) {
   for (const Cue& cue : cuesOf(packet, streak_, masking_, random)) mixer_.play(voiceOf(cue, mixer_.bank(), random));
   followTime(packet);
   streak_ = packet.hud.streak;
-  if constexpr (effects::isBuilt(effects::Effect::Music)) playMusic(packet);
+  if constexpr (effects::kHasMusic) playMusic(packet);
 }
 
 /// Slow motion sounds as under water: lower, an octave at a quarter of the speed, and dull.

@@ -1,6 +1,6 @@
 // B1 to B4: a unit cube, cut one random piece at a time until there are 512, then again.
 // B1: planes at random. No topology failure; the pieces of a round add up to the cube within 1e-6; every piece convex
-//     within the larger of 8 units in the last place and the distance that cut vertices are moved away.
+//     within 8 units in the last place and the distance that cut vertices are moved away, together.
 // B2: planes through an existing vertex. Every vertex stands in exactly one child, bit for bit; both caps are the same.
 // B3: planes through an existing edge, and beside it by one unit in the last place or of the grid. Every child has a
 //     volume. (A splitter that trusts its signs fails on 0.57 % in float and 0.074 % in double.)
@@ -9,7 +9,7 @@
 //     with planes computed again, on 2.1 % with stored ones.)
 // All of it is asked in all four.
 //
-// Convexity: a cut puts its vertices off the plane by at most max(8 ulp, 2^-20 of the extent) of what it cuts, and a
+// Convexity: a cut puts its vertices off the plane by at most 8 ulp + 2^-20 of the extent of what it cuts, and a
 // face keeps that however small it is cut later. So a piece is measured against the largest of the pieces it came from,
 // and not against its own extent: no cut may leave a piece less convex than its parent or than that bound.
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr double kMeasuring = 0x1p-23;  // what rounding adds to a distance and 
 double roughnessOf(const Convex& piece) {
   float reach = 0.0f;
   for (const Vertex& vertex : piece.vertices) reach = maxOf(reach, vertex.point.cwiseAbs().maxCoeff());
-  return maxOf(8.0f * 0x1p-23f * reach, kMoveAway * extentOf(piece.view()));
+  return 8.0f * 0x1p-23f * reach + kMoveAway * extentOf(piece.view());
 }
 
 /// What is known of a run of cuts.

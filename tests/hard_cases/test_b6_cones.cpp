@@ -1,7 +1,9 @@
 // B6: vertices of high degree. A box of 2 m is cut by planes that all meet in a point: cones about the six axes, and
 // cones about random directions, each plane right through the vertex that the ones before have made. No topology
 // failure; vertices keep their order; as long as every sign agrees with the exact one, the same faces and half-edges as
-// the exact cutter; volume and faces in the end as Voro++ cuts the same half-spaces.
+// the exact cutter; volume and faces in the end as Voro++ cuts the same half-spaces, but for facets too thin to be cut.
+// No cut is refused for its vertices' rounding: planes a degree apart through one vertex were, and half a percent of
+// the volume stayed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,11 +37,15 @@ class Twins {
     const SplitOutcome outcome = split<float>(cell_.view(), plane, {}, scratch_, above_, below_);
     inStep_ = agree;
     if (agree) cutExactly(plane, outcome);
+    if (outcome == SplitOutcome::TooThin) ++tooThin_;
+    ASSERT_NE(outcome, SplitOutcome::TooFarOff);
     if (outcome != SplitOutcome::Split) return;
     ASSERT_STREQ(findCutError(cell_, plane, above_, below_), nullptr);
     cell_.assign(below_.view());
   }
   const Convex& cell() const { return cell_; }
+  /// Cuts that would have taken off less than the thinnest piece there is.
+  int tooThin() const { return tooThin_; }
 
  private:
   void cutExactly(const Plane& plane, SplitOutcome outcome) {
@@ -63,6 +69,7 @@ class Twins {
   SplitScratch scratch_;
   SplitScratchT<Exact> exactScratch_;
   bool inStep_ = true;
+  int tooThin_ = 0;
 };
 
 void expectCell(const std::vector<Plane>& planes) {
@@ -71,20 +78,28 @@ void expectCell(const std::vector<Plane>& planes) {
   const OtherCell other = otherCell(Vec3d::Ones(), Vec3d::Zero(), planes);
   const double off = std::abs(volumeOf<double>(twins.cell()) / other.volume - 1.0);
   EXPECT_LE(off, 2e-6);
-  EXPECT_EQ(facesOf(twins.cell()), other.faces);
+  EXPECT_LE(facesOf(twins.cell()), other.faces);
+  EXPECT_GE(facesOf(twins.cell()) + twins.tooThin(), other.faces);
+  hard::reportSum("faces too thin to be cut", other.faces - facesOf(twins.cell()));
   hard::reportWorst("volume off Voro++'s by", off);
   hard::reportWorst("faces up to", other.faces);
   hard::reportSum("cells", 1);
 }
 
+void expectConesAboutTheAxes(int count) {
+  SCOPED_TRACE(count);
+  std::vector<Plane> planes;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) addCone(Vec3::Unit(axis) * side, 0.9f, 0.6f, count, planes);
+  expectCell(planes);
+}
+
 TEST(B6, ConesAboutTheAxes) {
-  for (int count = 3; count <= hard::counted(24, 100); ++count) {
-    SCOPED_TRACE(count);
-    std::vector<Plane> planes;
-    for (int axis = 0; axis < 3; ++axis)
-      for (const float side : {-1.0f, 1.0f}) addCone(Vec3::Unit(axis) * side, 0.9f, 0.6f, count, planes);
-    expectCell(planes);
-  }
+  for (int count = 3; count <= hard::counted(24, 100); ++count) expectConesAboutTheAxes(count);
+}
+
+TEST(B6, ConesWhoseLastThirdWasRefused) {
+  for (const int count : {86, 94, 99}) expectConesAboutTheAxes(count);
 }
 
 TEST(B6, ConesAboutRandomDirections) {

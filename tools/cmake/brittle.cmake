@@ -8,29 +8,36 @@ function(brittle_target folder out)
 endfunction()
 
 # brittle_effect(Joints FILES... [INSTEAD FILE]): an option BRITTLE_EFFECT_JOINTS, on; off, its files (patterns) are not compiled,
-# but FILE, which answers in their place, is.
+# but FILE, which answers in their place, is. engine/effects/has/joints.h says which: a header for each effect, so that a
+# build without one compiles little anew.
 function(brittle_effect name)
   cmake_parse_arguments(ARG "" "INSTEAD" "" ${ARGN})
   string(TOUPPER ${name} option)
   option(BRITTLE_EFFECT_${option} "The module of the effect ${name}" ON)
   set_property(GLOBAL APPEND_STRING PROPERTY BRITTLE_EFFECT_MODULES "${name} ")
   set(left_out ${ARG_INSTEAD})
+  set(BRITTLE_HAS true)
   if(NOT BRITTLE_EFFECT_${option})
     set(left_out ${ARG_UNPARSED_ARGUMENTS})
+    set(BRITTLE_HAS false)
+    set_property(GLOBAL APPEND_STRING PROPERTY BRITTLE_NOT_BUILT " && effect != Effect::${name}")
   endif()
   if(left_out)
     file(GLOB files ${left_out})
     set_property(GLOBAL APPEND PROPERTY BRITTLE_LEFT_OUT ${files})
   endif()
-  if(NOT BRITTLE_EFFECT_${option})
-    set_property(GLOBAL APPEND_STRING PROPERTY BRITTLE_NOT_BUILT " && effect != Effect::${name}")
-  endif()
+  set(BRITTLE_MODULE ${name})
+  string(REGEX REPLACE "([a-z])([A-Z])" "\\1_\\2" BRITTLE_FILE ${name})
+  string(TOLOWER ${BRITTLE_FILE} BRITTLE_FILE)
+  configure_file(${PROJECT_SOURCE_DIR}/engine/effects/has.h.in ${PROJECT_BINARY_DIR}/generated/engine/effects/has/${BRITTLE_FILE}.h)
 endfunction()
 
-# engine/effects/built.h: which modules there are.
+# Which modules there are, for who asks while the program runs.
 function(brittle_write_built)
   get_property(BRITTLE_NOT_BUILT GLOBAL PROPERTY BRITTLE_NOT_BUILT)
-  configure_file(${PROJECT_SOURCE_DIR}/engine/effects/built.h.in ${PROJECT_BINARY_DIR}/generated/engine/effects/built.h)
+  brittle_target(engine/effects target)
+  configure_file(${PROJECT_SOURCE_DIR}/engine/effects/built.cpp.in ${PROJECT_BINARY_DIR}/generated/engine/effects/built.cpp)
+  target_sources(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated/engine/effects/built.cpp)
 endfunction()
 
 # One static library from every .cpp of a folder; a folder of headers alone becomes an interface library.

@@ -71,7 +71,8 @@ int main(int argc, char** argv) {
   app.add_flag("--used", used, "only what it costs where it is used: builds nothing");
   app.add_option("--rounds", effort.rounds, "of timing")->capture_default_str()->check(CLI::Range(1, 100));
   app.footer(
-      "Builds one program for each effect (build/without/EFFECT), some minutes each the first time.\n\n"
+      "Builds a program without each effect in turn (build/without): some minutes for the first, less than one for the "
+      "others.\n\n"
       "Examples:\n  effects_cost\n  effects_cost --json joints reverb\n  effects_cost --used mirror");
   CLI11_PARSE(app, argc, argv);
   effort.compares = !used;

@@ -1,7 +1,7 @@
 // Power-ups whose effect this program may be built without.
 #include <gtest/gtest.h>
 
-#include "engine/effects/built.h"
+#include "engine/effects/effect.h"
 #include "tests/game/sim/power_up_games.h"
 
 namespace brittle::sim {
