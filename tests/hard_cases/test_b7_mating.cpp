@@ -4,9 +4,9 @@
 // (A boolean union by another library would say the same; none is packaged, so it is points and exact sums.)
 //
 // Volume: cut vertices may lie off the plane of a neighbouring face by what split.h says: they are moved away from
-// vertices by up to 2^-20 of the extent, and rounding is worth 8 units in the last place of the largest coordinate, 2^-21
-// m here. What a piece may lose is that times its surface, more than 1e-6 of a thin piece (1.2e-6 of one of 8e-3 m3 was
-// seen). So a cut is held to 1e-6 of the cube, and to 1e-6 of the piece and that much of its surface.
+// vertices by up to 2^-20 of the extent, and rounding is worth 8 units in the last place of the largest coordinate,
+// 2^-21 m here. What a piece may lose is that times its surface, more than 1e-6 of a thin piece (1.2e-6 of one of 8e-3
+// m3 was seen). So a cut is held to 1e-6 of the cube, and to 1e-6 of the piece and that much of its surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
