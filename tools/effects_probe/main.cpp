@@ -1,8 +1,6 @@
 // effects_probe SCENE [--off] [--ticks N] [--backend egl|osmesa|null]: plays one room for so many ticks, with its
 // picture and its sound, and prints what that took. tools/effects_cost runs it, in this build and in builds without an
 // effect.
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -17,6 +15,7 @@
 #include "game/view/scene.h"
 #include "game/view/sound.h"
 #include "platform/headless/headless.h"
+#include "tests/allocations.h"
 #include "tools/bench/cpu_time.h"
 #include "tools/effects_probe/scenes.h"
 
@@ -98,7 +97,7 @@ Status run(const std::string& name, bool off, int ticks, platform::HeadlessBacke
   for (const double time : times) sum += time;
   std::printf(
       "{\"ms\": %.6f, \"median_ms\": %.6f, \"heap_bytes\": %zu, \"bodies\": %zu, \"demanded\": %s, \"runs\": %s}\n",
-      sum / static_cast<double>(ticks), times[times.size() / 2], static_cast<std::size_t>(mallinfo2().uordblks),
+      sum / static_cast<double>(ticks), times[times.size() / 2], allocatedBytes(),
       bodiesIn(**game), effect && (*game)->effects().has(*effect) ? "true" : "false",
       effect && (*game)->effects().runs(*effect) ? "true" : "false");
   return Done{};
