@@ -15,7 +15,7 @@ constexpr Case kCases[] = {
      "no topology failure; kept and lost volume add up to 1e-6; "
      "inertia positive definite"},
     {"B6", "vertices of high degree: cones about axes and on a sphere",
-     "no topology failure; same faces as the exact cutter where signs agree"},
+     "no topology failure, no cut refused for rounding; the exact cutter's faces where signs agree"},
     {"B7", "mating: both children of a cut", "caps identical bit for bit; the parts add up to the parent"},
     {"B8", "carving: corner, edge, diagonal and seam hits",
      "volume kept to 1e-6; each point of the parent in one piece"},

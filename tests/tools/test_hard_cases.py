@@ -27,9 +27,9 @@ class Table(unittest.TestCase):
             self.assertIs(row["pass"], True)
             self.assertGreater(row["seconds"], 0.0)
 
-    def test_markdown_has_a_line_per_case(self):
-        result = run("--markdown", "B18")
-        self.assertRegex(result.stdout, r"(?m)^\| B18 \|.*\| yes \|$")
+    def test_markdown_has_two_cases_to_a_line(self):
+        result = run("--markdown", "B16", "B18")
+        self.assertRegex(result.stdout, r"(?m)^\| B16 \|.*\| B18 \| a block cut .*\|$")
 
     def test_names_that_are_no_case_are_refused(self):
         result = run("B18", "B99")

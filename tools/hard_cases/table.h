@@ -14,6 +14,7 @@ struct Row {
 
 bool allPass(const std::vector<Row>& rows);
 void printTable(const std::vector<Row>& rows);
+/// Two cases to a line: what happens and what was found; one that failed says so.
 std::string asMarkdown(const std::vector<Row>& rows);
 /// A list of objects with id, case, criterion, figure, pass and seconds.
 std::string asJson(const std::vector<Row>& rows);
