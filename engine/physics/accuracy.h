@@ -36,6 +36,7 @@ struct Accuracy {
   float minVolumeScale = 1.0f;          // smallest piece that is a body, relative to the material's [-], 0 to 1e6
   std::int32_t maxDebris = 512;         // light pieces alive at once, to 1e6; the oldest are recycled
   std::int32_t maxBodies = 2048;        // dynamic pieces alive at once, to 1e6; the oldest resting ones become debris
+  bool stacks = true;                   // tall piles get more rounds and are held from below (stack.h)
   float directSolveMassRatio = 200.0f;  // contacts of bodies further apart in mass: solved at once [-]; 0: never
 
   template <class Archive>
@@ -57,6 +58,7 @@ struct Accuracy {
     a(minVolumeScale);
     a(maxDebris);
     a(maxBodies);
+    a(stacks);
     a(directSolveMassRatio);
   }
 };

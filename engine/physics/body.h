@@ -41,6 +41,7 @@ struct Body {
   BodyType type = BodyType::Static;
   bool awake = false;
   bool breakable = false;
+  bool isPiece = false;  // came off something that broke
   Transform pose;                       // of the local frame
   Vec3 localCenter = Vec3::Zero();      // centre of mass in the local frame [m]
   Vec3 center = Vec3::Zero();           // and in the world; pose.toWorld(localCenter) up to rounding
@@ -85,6 +86,7 @@ struct Body {
     a(type);
     a(awake);
     a(breakable);
+    a(isPiece);
     a(pose.position);
     a(pose.rotation);
     a(localCenter);

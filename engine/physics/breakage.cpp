@@ -77,6 +77,7 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
     }
     Body body = state.bodies[old];
     body.type = BodyType::Dynamic;
+    body.isPiece = true;
     body.wake();
     body.firstShape = {};
     body.shapeCount = 0;
@@ -278,7 +279,7 @@ std::uint32_t breakBody(State& state, BodyHandle handle, const fracture::Impact*
   if (!state.fracturer) state.fracturer = std::make_shared<fracture::Fracturer>();
   const Fracture& result =
       state.fracturer->fracture(swap.parts, {impacts, count}, tuned(state, old), kCrackSlop, old.seed);
-  state.counters.totalRefusedCuts += result.refusedCuts;
+  state.counters.omissions.add(Omission::RefusedCut, result.refusedCuts);
   state.counters.crumbs += static_cast<std::uint32_t>(result.crumbs.size());
 
   makeBodies(state, handle, striker, result, swap);

@@ -35,7 +35,7 @@ void unlink(State& state, std::uint32_t slot, std::uint32_t side, ShapeHandle ha
 
 ContactHandle addContact(State& state, ShapeHandle a, ShapeHandle b) {
   if (state.contacts.size() >= kMaxContacts) {
-    ++state.counters.totalRefusedContacts;
+    state.counters.omissions.add(Omission::RefusedContact);
     return {};
   }
   if (b.index < a.index) std::swap(a, b);

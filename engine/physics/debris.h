@@ -35,7 +35,7 @@ struct Debris {
   std::vector<Crumb> crumbs;  // ring: the oldest is at `oldest` once full
   std::uint32_t oldest = 0;
   std::uint64_t recycled = 0;   // crumbs overwritten since the start
-  double recycledVolume = 0.0;  // [m3]
+  double recycledVolume = 0.0;  // of those, and of those removed [m3]
 
   template <class Archive>
   void serialize(Archive& a) {

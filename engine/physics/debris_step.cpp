@@ -1,5 +1,6 @@
 #include "engine/physics/debris_step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/profile.h"
@@ -63,15 +64,26 @@ void addCrumb(State& state, const Vec3& position, const Vec3& velocity, float vo
     debris.crumbs.push_back(crumb);
     return;
   }
-  ++debris.recycled;
-  if (limit == 0) {
-    debris.recycledVolume += volume;
-    return;
-  }
+  if (limit == 0) return noteRecycled(state, volume);
   debris.oldest = debris.oldest % static_cast<std::uint32_t>(limit);
-  debris.recycledVolume += debris.crumbs[debris.oldest].volume;
+  noteRecycled(state, debris.crumbs[debris.oldest].volume);
   debris.crumbs[debris.oldest] = crumb;
   debris.oldest = (debris.oldest + 1) % static_cast<std::uint32_t>(limit);
+}
+
+void removeCrumbs(State& state, const std::function<bool(const Crumb&)>& isGone) {
+  Debris& debris = state.debris;
+  const auto first = std::find_if(debris.crumbs.begin(), debris.crumbs.end(), isGone);
+  if (first == debris.crumbs.end()) return;
+  // In order of age, as in a ring that is not full yet.
+  std::rotate(debris.crumbs.begin(), debris.crumbs.begin() + debris.oldest, debris.crumbs.end());
+  debris.oldest = 0;
+  std::erase_if(debris.crumbs, [&](const Crumb& crumb) {
+    if (!isGone(crumb)) return false;
+    debris.recycledVolume += crumb.volume;
+    state.counters.omissions.add(Omission::RemovedCrumb);
+    return true;
+  });
 }
 
 void stepDebris(State& state, float dt) {

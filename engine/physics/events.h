@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/core/tally.h"
 #include "engine/math/types.h"
 #include "engine/physics/ids.h"
 
@@ -35,6 +36,20 @@ struct Events {
   std::vector<BodyHandle> quarantined;  // removed because a number in them was not finite
 };
 
+/// What the engine puts off, refuses or recycles.
+enum class Omission : std::uint8_t {
+  HeldBreak,        // a breaking waits for the next tick: the rounds of this one are spent
+  StoppedStriker,   // and so does what struck it
+  RecycledBody,     // a piece became a crumb: Accuracy::maxBodies
+  RecycledCrumb,    // gave way to a younger one: Accuracy::maxDebris
+  RemovedCrumb,     // World::removeCrumbs
+  RefusedContact,   // kMaxContacts
+  RefusedCut,       // a split that would have been thinner than geometry can hold
+  QuarantinedBody,  // a number in it was not finite
+  Count
+};
+const char* nameOf(Omission omission);
+
 /// Always on, cheap; shown by the overlay and the bench. Of the last tick unless said.
 struct Counters {
   std::uint32_t bodies = 0, awakeBodies = 0, shapes = 0, contacts = 0, points = 0, pairsTested = 0;
@@ -45,8 +60,8 @@ struct Counters {
   std::uint32_t tallest = 0;               // bodies of the tallest pile that is treated as one; 0: none
   std::uint32_t swept = 0;                 // fast bodies swept
   std::uint32_t sweeps = 0, confined = 0;  // ways searched for their first obstacle; bodies set back from one
-  std::uint64_t totalBreaks = 0, totalHeld = 0, totalRefusedCuts = 0;  // since the start
-  std::uint64_t totalRefusedContacts = 0;  // too: searches for pairs that ended at kMaxContacts
+  std::uint64_t totalBreaks = 0;           // since the start
+  Tally<Omission> omissions;               // too; or since it was restored
 };
 
 }  // namespace brittle::physics

@@ -30,6 +30,7 @@ void quarantine(State& state) {
     logWarning("physics: body " + std::to_string(slot) + " of assembly " + std::to_string(body.assembly) +
                " removed: its " + wrong + " is not a usable number (tick " + std::to_string(state.tick) + ")");
     state.events.quarantined.push_back(handle);
+    state.counters.omissions.add(Omission::QuarantinedBody);
     dropBody(state, handle);
   }
 }

@@ -38,10 +38,6 @@ void wakeAfterLoss(Body& body) {
   if (body.isDynamic() && !body.awake) body.wake();
 }
 
-bool isPiece(const Body& body) {
-  return body.isDynamic() && bool(body.striker);
-}
-
 }  // namespace
 
 void finishContacts(State& state) {
@@ -67,7 +63,7 @@ void recycleBodies(State& state) {
   std::vector<BodyHandle>& pieces = state.touchedBodies;
   pieces.clear();
   state.bodies.forEach([&](BodyHandle handle, const Body& body) {
-    if (isPiece(body)) pieces.push_back(handle);
+    if (body.isPiece) pieces.push_back(handle);
   });
   if (pieces.size() <= limit) return;
   std::sort(pieces.begin(), pieces.end(), [&](BodyHandle a, BodyHandle b) {
@@ -82,6 +78,7 @@ void recycleBodies(State& state) {
     const std::uint32_t color = shape.isSphere() ? 0xffffffffu : state.meshes.view(shape.mesh).vertices[0].color;
     shed(state, body.center, body.velocity, body.mass / maxOf(shape.surface.density, 1e-6f), color);
     dropBody(state, pieces[i]);
+    state.counters.omissions.add(Omission::RecycledBody);
   }
 }
 

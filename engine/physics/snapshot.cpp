@@ -7,7 +7,7 @@
 namespace brittle::physics {
 namespace {
 
-constexpr std::uint32_t kSnapshotVersion = 1;
+constexpr std::uint32_t kSnapshotVersion = 2;
 
 template <class Archive>
 void archiveState(State& state, Archive& archive) {

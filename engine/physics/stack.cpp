@@ -110,7 +110,7 @@ void Stacks::holdBody(State& state, BodyHandle handle, float dt) {
 void Stacks::measure(const State& state, float dt) {
   BR_ZONE("measure stacks");
   height_ = 0;
-  if (state.gravity.isZero()) return;
+  if (!state.accuracy.stacks || state.gravity.isZero()) return;
   findStanding(state, dt);
   if (standing_.size() < kTall) return;
   const std::uint32_t tallest = findLevels(state);

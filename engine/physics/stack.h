@@ -28,7 +28,7 @@ struct Standing {
 
 class Stacks {
  public:
-  /// Once contacts are up to date: how many bodies stand on top of each other.
+  /// Once contacts are up to date: how many bodies stand on top of each other; unless Accuracy::stacks says not to.
   void measure(const State& state, float dt);
   /// What the solver needs for that: rounds of ContactSolver::solveTall; 0: its usual sweeps will do.
   int rounds() const;

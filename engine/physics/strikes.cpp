@@ -231,11 +231,14 @@ void holdSaturated(State& state, float dt) {
     if (!strike.saturated) continue;
     state.held.push_back({strike.striker, strike.struck, impactOf(state, strike), strike.impulse});
     Body& body = state.bodies[sweptBody(state, strike)];
-    if (body.isDynamic()) body.timeUsed = dt;
+    if (body.isDynamic()) {
+      body.timeUsed = dt;
+      state.counters.omissions.add(Omission::StoppedStriker);
+    }
     if (strike.struck == last) continue;
     last = strike.struck;
     ++state.counters.held;
-    ++state.counters.totalHeld;
+    state.counters.omissions.add(Omission::HeldBreak);
   }
 }
 

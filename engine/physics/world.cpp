@@ -88,9 +88,7 @@ void beginTick(State& state) {
   const Counters old = state.counters;
   state.counters = {};
   state.counters.totalBreaks = old.totalBreaks;
-  state.counters.totalHeld = old.totalHeld;
-  state.counters.totalRefusedCuts = old.totalRefusedCuts;
-  state.counters.totalRefusedContacts = old.totalRefusedContacts;
+  state.counters.omissions = old.omissions;
 }
 
 void countWhatIsThere(State& state) {

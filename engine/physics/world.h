@@ -13,6 +13,7 @@
 #include "engine/physics/debris.h"
 #include "engine/physics/drive.h"
 #include "engine/physics/events.h"
+#include "engine/physics/heap.h"
 #include "engine/physics/joint.h"
 #include "engine/physics/shape.h"
 
@@ -80,6 +81,8 @@ class World {
   const Events& events() const;
   const Counters& counters() const;
   std::int32_t tick() const;
+  /// What touches a dynamic body, and what touches that.
+  void heapOf(BodyHandle body, Heap& heap) const;
 
   // Changing.
   void setVelocity(BodyHandle body, const Vec3& velocity, const Vec3& angularVelocity);
@@ -91,6 +94,8 @@ class World {
   const Accuracy& accuracy() const;
   void applyImpulse(BodyHandle body, const Vec3& impulse, const Vec3& point);
   void wake(BodyHandle body);
+  /// Takes out the light debris that `isGone` says yes to, and counts it.
+  void removeCrumbs(const std::function<bool(const Crumb&)>& isGone);
   /// Breaks a body now, as if hit at `point` (world) with `speed` [m/s] along `direction`, by something of `radius`
   /// [m].
   void breakBody(BodyHandle body, const Vec3& point, const Vec3& direction, float speed, float radius);

@@ -41,6 +41,10 @@ const Accuracy& World::accuracy() const {
   return state_->accuracy;
 }
 
+void World::heapOf(BodyHandle body, Heap& heap) const {
+  gatherHeap(*state_, body, heap);
+}
+
 void World::forEachBody(const std::function<void(BodyHandle, const Body&)>& visit) const {
   static_cast<const State&>(*state_).bodies.forEach(visit);
 }

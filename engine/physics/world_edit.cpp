@@ -6,6 +6,7 @@
 #include "engine/physics/breakage.h"
 #include "engine/physics/collide.h"
 #include "engine/physics/contact_graph.h"
+#include "engine/physics/debris_step.h"
 #include "engine/physics/deactivation.h"
 #include "engine/physics/edit.h"
 #include "engine/physics/world.h"
@@ -180,6 +181,10 @@ void World::applyImpulse(BodyHandle handle, const Vec3& impulse, const Vec3& poi
 
 void World::wake(BodyHandle body) {
   wakeBody(*state_, body);
+}
+
+void World::removeCrumbs(const std::function<bool(const Crumb&)>& isGone) {
+  if constexpr (kHasDebris) physics::removeCrumbs(*state_, isGone);
 }
 
 void World::breakBody(BodyHandle handle, const Vec3& point, const Vec3& direction, float speed, float radius) {

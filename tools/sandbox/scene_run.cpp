@@ -98,7 +98,7 @@ void SceneRun::showErrors() const {
   const physics::Counters& counters = world().counters();
   ImGui::Text("%u bodies, %u awake, %u contacts", counters.bodies, counters.awakeBodies, counters.contacts);
   ImGui::Text("%llu breaks, %llu held, %u rounds", static_cast<unsigned long long>(counters.totalBreaks),
-              static_cast<unsigned long long>(counters.totalHeld), counters.rounds);
+              static_cast<unsigned long long>(counters.omissions[physics::Omission::HeldBreak]), counters.rounds);
 }
 
 void SceneRun::showPanel() {

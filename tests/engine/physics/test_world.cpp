@@ -89,8 +89,8 @@ TEST(World, AHeapOnOneSpotHasBoundedContacts) {
   pile(a);
   pile(b);
   EXPECT_EQ(a.counters().contacts, kMaxContacts);
-  EXPECT_GT(a.counters().totalRefusedContacts, 0u);
-  EXPECT_EQ(a.counters().totalRefusedContacts, b.counters().totalRefusedContacts);
+  EXPECT_GT(a.counters().omissions[Omission::RefusedContact], 0u);
+  EXPECT_EQ(a.counters().omissions[Omission::RefusedContact], b.counters().omissions[Omission::RefusedContact]);
   EXPECT_EQ(a.stateHash(), b.stateHash());
 }
 
