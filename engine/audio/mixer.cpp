@@ -20,6 +20,19 @@ void Mixer::send(const Command& command) {
   delete command.space;
 }
 
+const char* nameOf(Omission omission) {
+  constexpr const char* names[] = {"sound orders refused", "sounds without voice", "sounds cut off"};
+  return names[static_cast<int>(omission)];
+}
+
+void Mixer::omissions(std::vector<NamedCount>& counts) const {
+  Tally<Omission> all;
+  all.add(Omission::Order, refused_);
+  all.add(Omission::RefusedVoice, refusedVoices_.load(std::memory_order_relaxed));
+  all.add(Omission::EndedVoice, endedVoices_.load(std::memory_order_relaxed));
+  all.list(counts);
+}
+
 /// Frees what the audio thread is done with.
 void Mixer::collect() {
   Space* space = nullptr;
@@ -54,6 +67,8 @@ void Mixer::obey(const Command& command) {
   switch (command.kind) {
     case Command::Play:
       voices_.play(command.voice);
+      refusedVoices_.store(voices_.refused(), std::memory_order_relaxed);
+      endedVoices_.store(voices_.ended(), std::memory_order_relaxed);
       break;
     case Command::Rate:
       rate_ = clampTo(command.number, 0.0625f, 4.0f);

@@ -8,14 +8,25 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "engine/audio/acoustics.h"
 #include "engine/audio/bank.h"
 #include "engine/audio/limiter.h"
 #include "engine/audio/queue.h"
 #include "engine/audio/voices.h"
+#include "engine/core/tally.h"
 
 namespace brittle::audio {
+
+/// What is not heard, or not to its end.
+enum class Omission : std::uint8_t {
+  Order,         // the queue to the audio thread was full
+  RefusedVoice,  // all voices are taken, by louder sounds
+  EndedVoice,    // the quietest gave way
+  Count
+};
+const char* nameOf(Omission omission);
 
 class Mixer {
  public:
@@ -39,6 +50,8 @@ class Mixer {
   /// Ends all sounds and the room's.
   void silence();
   std::uint32_t refused() const { return refused_; }
+  /// Appends what was left out so far, of each kind that is not zero.
+  void omissions(std::vector<NamedCount>& counts) const;
   /// Held for rooms. [bytes]
   std::size_t spaceBytes() const { return spaceBytes_.load(std::memory_order_relaxed); }
 
@@ -69,6 +82,7 @@ class Mixer {
   Queue<Command, 1024> commands_;
   Queue<Space*, 2048> retired_;  // back to the game's thread, which frees them: more than there can be
   std::uint32_t refused_ = 0;
+  std::atomic<std::uint32_t> refusedVoices_{0}, endedVoices_{0};  // written by the audio thread
   std::atomic<std::size_t> spaceBytes_{0};
 
   Voices voices_;

@@ -39,8 +39,13 @@ bool Voices::play(const VoiceDef& def) {
     least = loudness;
     quietest = &voice;
   }
-  if (quietest != nullptr) *quietest = fresh;
-  return quietest != nullptr;
+  if (quietest == nullptr) {
+    ++refused_;
+    return false;
+  }
+  *quietest = fresh;
+  ++ended_;
+  return true;
 }
 
 void Voices::render(float rate, Block& dry, Block* send) {
@@ -68,7 +73,7 @@ void Voices::Voice::render(std::uint64_t stride, Block& dry, Block* send) {
 }
 
 void Voices::stop() {
-  voices_ = {};
+  voices_.fill({});
 }
 
 std::uint32_t Voices::active() const {

@@ -31,6 +31,9 @@ class Voices {
   void render(float rate, Block& dry, Block* send);
   void stop();
   std::uint32_t active() const;
+  /// Sounds that were not played, and those that were ended, because every voice was taken: so far.
+  std::uint32_t refused() const { return refused_; }
+  std::uint32_t ended() const { return ended_; }
 
  private:
   struct Voice {
@@ -44,6 +47,7 @@ class Voices {
     void render(std::uint64_t stride, Block& dry, Block* send);
   };
   std::array<Voice, kVoices> voices_;
+  std::uint32_t refused_ = 0, ended_ = 0;
 };
 
 }  // namespace brittle::audio

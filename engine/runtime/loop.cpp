@@ -36,7 +36,7 @@ int Loop::ticksDue() {
 void Loop::handleEvents() {
   events_.clear();
   platform_.pollEvents(events_);
-  input_.setView(platform_.size(), client_.tanHalfWidth());
+  input_.setView(platform_.size(), client_.tanHalfWidth(platform_.size()));
   input_.setControls(client_.controls(platform_.size()));
   for (const Event& event : events_) {
     const bool pressed = event.kind == EventKind::KeyDown && !event.repeated;

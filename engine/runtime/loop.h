@@ -26,7 +26,7 @@ class Client {
   virtual void tick(const replay::InputFrame& input) = 0;
   virtual void draw(const Shown& shown) = 0;
   /// Tangent of half the angle between the picture's left and right border, now.
-  virtual float tanHalfWidth() const = 0;
+  virtual float tanHalfWidth(PictureSize size) const = 0;
   /// What touches and held pointers mean on a picture of this size, now.
   virtual Controls controls(PictureSize) const { return {}; }
   /// True ends the loop after this frame.

@@ -18,7 +18,9 @@ inline constexpr float kBeatTicks = 30.0f;           // 120 beats a minute, form
 // Camera.
 inline constexpr float kCameraHeight = 1.0f;  // [m], format
 inline constexpr float kHalfWidthTangent =
-    0.57735027f;                          // 60 degrees from left to right, format; height follows the picture's aspect
+    0.57735027f;  // 60 degrees from left to right, format; height follows the picture's aspect
+/// Width over height: beyond, a phone held upright. What is narrower shows less of the width, not more of the height.
+inline constexpr float kNarrowestPicture = 9.0f / 21.0f;
 inline constexpr float kNear = 0.2f;      // [m], format
 inline constexpr float kFar = 100.0f;     // [m], format
 inline constexpr float kFogNear = 5.0f;   // fog begins at this depth [m], format
@@ -39,7 +41,9 @@ inline constexpr float kSegmentBehind = 2.0f;  // a segment is dropped when its 
 inline constexpr float kDefaultRoomLength = 160.0f;  // of a room script that declares none [m]
 inline constexpr float kLengthStep = 1.0f / 256.0f;  // room lengths and shifts are multiples of this [m]
 inline constexpr float kBehindCamera = 0.6f;         // things wholly this far behind are removed [m]
-inline constexpr float kFallDepth = -10.0f;          // what falls below is removed [m], format
+inline constexpr int kUnseenTicks =
+    kTickRate;  // so are pieces out of sight for so long; sooner, and some bounce back into the picture
+inline constexpr float kFallDepth = -10.0f;  // what falls below is removed [m], format
 
 // Balls.
 inline constexpr int kStartBalls = 25;             // format

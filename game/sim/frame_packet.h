@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/tally.h"
 #include "engine/effects/effect.h"
 #include "engine/math/transform.h"
 #include "engine/math/types.h"
 #include "game/sim/charge.h"
+#include "game/sim/constants.h"
 #include "game/sim/event.h"
 #include "game/sim/power_up.h"
 
@@ -28,6 +30,11 @@ struct Camera {
   Vec3 velocity = Vec3::Zero();            // [m/s]
   float halfWidthTangent = 0.0f;  // tangent of half the angle from left to right; height follows the picture's aspect
   float near = 0.0f, far = 0.0f;  // [m]
+
+  /// In a picture of this shape, width over height: the same in all but those narrower than rules::kNarrowestPicture.
+  float halfWidthTangentIn(float aspect) const {
+    return halfWidthTangent * minOf(1.0f, aspect / rules::kNarrowestPicture);
+  }
 };
 
 /// A box of a segment as its mesh is baked from. In the segment's frame: x, y as in the room, z from 0 (its start) to
@@ -191,6 +198,8 @@ struct FramePacket {
   std::vector<Event> events;
   std::vector<std::string> soundNames;  // that scripts play
   Hud hud;
+  std::vector<NamedCount> omissions;  // Game::omissions
+  std::int32_t maxDebris = 512;       // light pieces alive at once: physics::Accuracy's
 
   /// Whether an effect runs in any of its rooms.
   bool runs(effects::Effect effect) const {

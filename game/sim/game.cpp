@@ -267,8 +267,8 @@ Camera Game::camera() const {
 }
 void Game::setAccuracy(const physics::Accuracy& accuracy) {
   impl_->session.def.accuracy = accuracy;
-  impl_->track->current().world().setAccuracy(accuracy);
-  if (Room* next = impl_->track->next()) next->world().setAccuracy(accuracy);
+  impl_->track->current().world().setAccuracy(accuracyOf(impl_->session));
+  if (Room* next = impl_->track->next()) next->world().setAccuracy(accuracyOf(impl_->session));
 }
 const physics::Accuracy& Game::accuracy() const {
   return impl_->track->current().world().accuracy();
@@ -327,6 +327,15 @@ float Game::timeShare() const {
 float Game::gravity() const {
   return rules::kGravity * impl_->track->current().gravity();
 }
+std::vector<NamedCount> Game::omissions() const {
+  Tally<physics::Omission> worlds = impl_->session.worldOmissions;
+  worlds.add(impl_->track->current().world().counters().omissions);
+  if (const Room* next = impl_->track->next()) worlds.add(next->world().counters().omissions);
+  std::vector<NamedCount> counts;
+  worlds.list(counts);
+  impl_->session.omissions.list(counts);
+  return counts;
+}
 const effects::EffectSet& Game::effects() const {
   return impl_->track->current().effects();
 }
@@ -353,6 +362,8 @@ void Game::copyFrame(FramePacket& packet) const {
   packet.events = session.events;
   packet.soundNames = session.soundNames;
   packet.hud = impl_->hud;
+  packet.omissions = omissions();
+  packet.maxDebris = session.def.accuracy.maxDebris;
 }
 
 geometry::MeshPool* Game::meshes(std::uint32_t slot) {

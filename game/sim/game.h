@@ -10,6 +10,7 @@
 
 #include "engine/core/byte_stream.h"
 #include "engine/core/result.h"
+#include "engine/core/tally.h"
 #include "engine/effects/effect_set.h"
 #include "engine/physics/accuracy.h"
 #include "engine/physics/world.h"
@@ -114,6 +115,9 @@ class Game {
   float timeShare() const;                 // of the last tick that passed of the game's time: 1 but in slow motion
   float gravity() const;                   // of the room the camera is in [m/s2]
   std::uint32_t totalQuarantined() const;  // bodies removed because a number in them was not finite: must stay 0
+  /// What was put off, refused or taken away so far, in the worlds and by the rules: of each kind that is not zero.
+  /// Tells about the game and is no part of its state: what a restored game did before is not in it.
+  std::vector<NamedCount> omissions() const;
 
   /// What a player can see ahead, nearest first; for scripted players.
   void look(std::vector<Sight>& sights) const;

@@ -200,11 +200,17 @@ void chargeForRay(script::Call& call, const Obstacle& obstacle, const Vec3& from
   call.charge(base + each * obstacle.room->crowdBetween(from, to));
 }
 
+void refuseMore(script::Call& call, const Obstacle& obstacle, const std::string& why) {
+  obstacle.room->session().omissions.add(Omission::RefusedContent);
+  call.fail(why);
+}
+
 bool hasPlaceForBody(script::Call& call, const Obstacle& obstacle) {
   const bool hasPlace = obstacle.bodies.size() < rules::kMaxBodiesPerObstacle && obstacle.room->hasPlaceForBody();
   if (!hasPlace)
-    call.fail("too many bodies: expected at most " + std::to_string(rules::kMaxBodiesPerObstacle) +
-              " of an obstacle and " + std::to_string(rules::kMaxBodiesPerRoom) + " in a room");
+    refuseMore(call, obstacle,
+               "too many bodies: expected at most " + std::to_string(rules::kMaxBodiesPerObstacle) +
+                   " of an obstacle and " + std::to_string(rules::kMaxBodiesPerRoom) + " in a room");
   return hasPlace;
 }
 

@@ -38,6 +38,8 @@ void chargeForShapes(script::Call& call, const Obstacle& obstacle, const ScriptB
 /// A ray between two places of the room's local frame.
 void chargeForRay(script::Call& call, const Obstacle& obstacle, const Vec3& from, const Vec3& to);
 
+/// Fails the call: there is no place for more. Counted.
+void refuseMore(script::Call& call, const Obstacle& obstacle, const std::string& why);
 /// Fails the call if the obstacle, or its room, has all the bodies it may have.
 bool hasPlaceForBody(script::Call& call, const Obstacle& obstacle);
 

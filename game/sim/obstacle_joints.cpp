@@ -24,7 +24,7 @@ bool readEnds(script::Call& call, Obstacle& obstacle, physics::BodyHandle& a, ph
 void create(script::Call& call, Obstacle& obstacle, physics::JointDef def, physics::BodyHandle a,
             physics::BodyHandle b) {
   physics::World& world = obstacle.room->world();
-  if (obstacle.joints.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many joints");
+  if (obstacle.joints.size() >= rules::kMaxBodiesPerObstacle) return refuseMore(call, obstacle, "too many joints");
   def.a = world.body(a).firstShape;  // the world picks the shape of the body that holds the anchor
   if (b) def.b = world.body(b).firstShape;
   if (!def.a) return call.fail("a joint needs a body with a shape");

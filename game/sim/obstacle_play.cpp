@@ -110,7 +110,7 @@ void bodyDecal(script::Call& call, Obstacle& obstacle) {
   if (call.failed()) return;
   call.charge(200);
   if (!(size.minCoeff() >= 0.001f && size.maxCoeff() <= 500.0f)) return call.fail("size: expected 0.001 to 500");
-  if (obstacle.decals.size() >= rules::kMaxBodiesPerObstacle) return call.fail("too many decals");
+  if (obstacle.decals.size() >= rules::kMaxBodiesPerObstacle) return refuseMore(call, obstacle, "too many decals");
   if (!body->handle || !obstacle.room->world().isAlive(body->handle) || body->breaks > 0) return;
   if (!obstacle.paints) obstacle.room->demand(effects::Effect::Decals, call.where());
   obstacle.paints = true;

@@ -63,8 +63,9 @@ void addShape(script::Call& call, Obstacle& obstacle, geometry::Convex convex, i
   const Vec3 angles = readVector(call, firstPlaceArgument + 3, rules::kMostAngle, Vec3::Zero());
   if (call.failed() || body == nullptr) return;
   if (obstacle.shapes.size() >= rules::kMaxShapesPerObstacle || !obstacle.room->hasPlaceForShape())
-    return call.fail("too many shapes: expected at most " + std::to_string(rules::kMaxShapesPerObstacle) +
-                     " of an obstacle and " + std::to_string(rules::kMaxShapesPerRoom) + " in a room");
+    return refuseMore(call, obstacle,
+                      "too many shapes: expected at most " + std::to_string(rules::kMaxShapesPerObstacle) +
+                          " of an obstacle and " + std::to_string(rules::kMaxShapesPerRoom) + " in a room");
   const Pen& pen = obstacle.pen;
   convex = geometry::transformed(convex, rotationXyz(angles), offset, pen.scale);
   const std::uint32_t color = packColor(pen.color[0], pen.color[1], pen.color[2], pen.color[3]);

@@ -15,13 +15,19 @@ namespace {
 physics::WorldDef worldDef(const Session& session, std::uint64_t seed, float gravity) {
   physics::WorldDef def;
   def.gravity = Vec3(0.0f, -rules::kGravity * gravity, 0.0f);
-  def.accuracy = session.def.accuracy;
-  if (session.def.without.has(effects::Effect::Debris)) def.accuracy.maxDebris = 0;
+  def.accuracy = accuracyOf(session);
   def.seed = seed;
   return def;
 }
 
 }  // namespace
+
+physics::Accuracy accuracyOf(const Session& session) {
+  physics::Accuracy accuracy = session.def.accuracy;
+  if (session.def.without.has(effects::Effect::Debris)) accuracy.maxDebris = 0;
+  if (session.def.without.has(effects::Effect::Stacks)) accuracy.stacks = false;
+  return accuracy;
+}
 
 Room::Room(Session& session, const RoomEntry& entry, std::uint64_t number, std::uint32_t slot)
     : session_(session),
@@ -117,11 +123,14 @@ void Room::buildSegment(std::size_t index) {
 void Room::startObstacles(float distance) {
   std::int64_t left = rules::kRoomInstructions;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
-    if (left <= 0) return;
     if (obstacle->stage != Stage::Waiting) continue;
     const bool isElevator = obstacle->def->type.find("elevator") != std::string::npos;
     const float ahead = isElevator ? rules::kSpawnAheadElevator : rules::kSpawnAhead;
-    if (-obstacle->def->position.z() < distance + ahead) left -= obstacle->start();
+    if (-obstacle->def->position.z() >= distance + ahead) continue;
+    if (left > 0)
+      left -= obstacle->start();
+    else
+      session_.omissions.add(Omission::DeferredObstacle);
   }
 }
 

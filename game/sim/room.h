@@ -17,9 +17,13 @@
 #include "game/sim/room_plan.h"
 #include "game/sim/session.h"
 #include "game/sim/sight.h"
+#include "game/sim/unseen.h"
 #include "game/sim/water.h"
 
 namespace brittle::sim {
+
+/// As the game asks for, less what is switched off.
+physics::Accuracy accuracyOf(const Session& session);
 
 class Room {
  public:
@@ -150,6 +154,8 @@ class Room {
   void pressButton(physics::BodyHandle handle);
   Party partyOf(physics::BodyHandle handle);
   void removeBehind();
+  void removeUnseen(std::vector<std::uint32_t>& bodiesOf);
+  bool isForgotten(physics::BodyHandle handle);
   void settleObstacles(const std::vector<std::uint32_t>& bodiesOf);
   bool checkLasers() const;
   bool blocks(physics::ShapeHandle shape) const;
@@ -187,6 +193,7 @@ class Room {
   std::vector<Pickup> pickups_;  // of each in the plan
   std::vector<Ball> balls_;
   std::uint32_t nextBall_ = 1;
+  std::vector<Unseen> unseen_;     // pieces, in slot order
   std::vector<Vec3> ballsBefore_;  // where pickups wait: before the step; made anew every tick
 
   Vec3 frameOffset_ = Vec3::Zero();

@@ -11,10 +11,12 @@ void Room::runScripts(std::int64_t (Obstacle::*run)(bool)) {
   std::int64_t left = rules::kRoomInstructions;
   for (const std::unique_ptr<Obstacle>& obstacle : obstacles_) {
     if (obstacle->stage != Stage::Alive) continue;
-    if (left <= 0)
+    if (left <= 0) {
+      session_.omissions.add(Omission::IdleScript);
       session_.reportMissing("the scripts of a room", obstacle->def->where,
                              "more than " + std::to_string(rules::kRoomInstructions) +
                                  " instructions in a tick: the rest do nothing in it");
+    }
     left -= (obstacle.get()->*run)(left > 0);
   }
 }
@@ -74,6 +76,7 @@ void Room::takeOut(Obstacle& obstacle) {
   });
   for (const physics::BodyHandle handle : doomed) world_->destroyBody(handle);
   retire(obstacle);
+  session_.omissions.add(Omission::RemovedObstacle);
   session_.reportMissing(
       "obstacle " + obstacle.def->type, obstacle.def->where,
       "more than " + std::to_string(rules::kMaxContactsPerRoom) + " contacts in a room: it is taken out");

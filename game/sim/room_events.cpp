@@ -1,5 +1,4 @@
-// What a room makes of its world's events, and what it throws away: broken things, hit buttons, crystals, what fell or
-// lies behind.
+// What a room makes of its world's events: broken things, hit buttons, crystals; and of obstacles that are passed.
 #include <algorithm>
 
 #include "game/sim/room.h"
@@ -96,26 +95,6 @@ void Room::readHit(const physics::HitEvent& hit) {
   event.value = striker.isBall ? 1 : 0;
   if (striker.isBall && struck.look == Look::Static) demandOnce(effects::Effect::Decals, "the mark of a ball");
   emit(event);
-}
-
-void Room::removeBehind() {
-  const float behind = viewpoint_.position.z() + rules::kBehindCamera;
-  std::vector<physics::BodyHandle> doomed;
-  std::vector<std::uint32_t> bodiesOf(obstacles_.size() + 1, 0);
-  world_->forEachBody([&](physics::BodyHandle handle, const physics::Body& body) {
-    if (body.userData == 0) return;  // of a segment
-    const bool fell = body.type != physics::BodyType::Static && body.center.y() + body.radius < rules::kFallDepth;
-    if (fell || body.center.z() - body.radius > behind) {
-      doomed.push_back(handle);
-    } else if (body.userData < bodiesOf.size()) {
-      ++bodiesOf[body.userData];
-    }
-  });
-  for (const physics::BodyHandle handle : doomed) world_->destroyBody(handle);
-  balls_.erase(
-      std::remove_if(balls_.begin(), balls_.end(), [this](const Ball& ball) { return !world_->isAlive(ball.body); }),
-      balls_.end());
-  settleObstacles(bodiesOf);
 }
 
 void Room::settleObstacles(const std::vector<std::uint32_t>& bodiesOf) {

@@ -16,6 +16,7 @@ void Room::serialize(Archive& a) {
   for (Pickup& pickup : pickups_) a(pickup);
   a.vector(balls_);
   a(nextBall_);
+  a.vector(unseen_);
   std::uint32_t demanded = plan_.effects.demanded().bits();
   a(demanded);
   plan_.effects.keep(effects::EffectMask::ofBits(demanded));

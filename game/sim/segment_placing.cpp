@@ -111,6 +111,7 @@ bool isWanted(const Session& session, const content::Obstacle& obstacle, float d
 
 /// What is beyond a bound is left out; said once a game. Always false.
 bool refuse(Session& session, const std::string& things, std::uint32_t most, const char* in, const std::string& where) {
+  session.omissions.add(Omission::RefusedContent);
   session.reportMissing("more than " + std::to_string(most) + " " + things + " " + in, where, "the rest is left out");
   return false;
 }

@@ -12,6 +12,7 @@
 #include "game/sim/content_reader.h"
 #include "game/sim/event.h"
 #include "game/sim/game.h"
+#include "game/sim/omission.h"
 #include "game/sim/power_up.h"
 #include "game/sim/score.h"
 #include "game/sim/slow_motion.h"
@@ -38,20 +39,24 @@ struct Session {
   Clock clock;
   std::uint32_t explosions = 0;  // since the start
   std::uint64_t tick = 0;
-  std::vector<Event> events;      // of this tick
-  std::vector<Problem> problems;  // each text once
+  Tally<Omission> omissions;                // since the game was made
+  Tally<physics::Omission> worldOmissions;  // of rooms that are left
+  std::vector<Event> events;                // of this tick
+  std::vector<Problem> problems;            // each text once
   std::set<std::string> reported, missing;
   std::vector<std::string> soundNames;
   std::map<std::string, std::string> globals;  // of mgGet and mgSet
 
   int ballCap() const { return def.mode == Mode::Training ? rules::kTrainingBallCap : rules::kBallCap; }
   void report(const std::string& text) {
-    if (reported.size() >= rules::kMaxProblems || !reported.insert(text).second) return;
+    if (reported.contains(text)) return;
+    if (reported.size() >= rules::kMaxProblems) return omissions.add(Omission::UntoldProblem);
+    reported.insert(text);
     problems.push_back({text, tick});
   }
   /// Says of each thing once that it cannot be had, where it was asked for first.
   void reportMissing(const std::string& thing, const std::string& where, const std::string& why) {
-    if (reported.size() >= rules::kMaxProblems) return;
+    if (reported.size() >= rules::kMaxProblems) return omissions.add(Omission::UntoldProblem);
     if (missing.insert(thing + ": " + why).second) report(where + ": " + thing + ": " + why);
   }
   void takeFileProblems() {

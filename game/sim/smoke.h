@@ -62,11 +62,12 @@ struct SmokeResult {
   std::vector<SmokeFailure> failures;
   std::vector<std::string> problems;  // content problems met
   std::uint64_t ticks = 0;
-  std::uint64_t stateHash = 0;  // at the end
-  std::uint32_t checks = 0;     // expectations tested
-  Hud hud;                      // at the end
-  std::set<std::string> asked;  // names of settings the script wanted to know
-  GameDef def;                  // with `inputs`: enough to record the run as a replay
+  std::uint64_t stateHash = 0;        // at the end
+  std::uint32_t checks = 0;           // expectations tested
+  std::vector<NamedCount> omissions;  // Game::omissions, of all games it took
+  Hud hud;                            // at the end
+  std::set<std::string> asked;        // names of settings the script wanted to know
+  GameDef def;                        // with `inputs`: enough to record the run as a replay
   std::vector<replay::InputFrame> inputs;
   bool passed() const { return failures.empty(); }
 };

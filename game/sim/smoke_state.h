@@ -64,6 +64,7 @@ class Smoke {
     Result<std::unique_ptr<Game>> fresh = Game::create(assets_, result.def);
     ByteReader in(out.bytes());
     if (!fresh || !(*fresh)->restore(in) || (*fresh)->stateHash() != before) return false;
+    addUp(result.omissions, game.omissions());
     game_ = std::move(*fresh);
     return true;
   }
@@ -78,6 +79,7 @@ class Smoke {
     result.ticks = game_->tickCount();
     result.stateHash = game_->stateHash();
     result.hud = game_->hud();
+    addUp(result.omissions, game_->omissions());
     for (const Problem& problem : game_->problems()) result.problems.push_back(problem.text);
   }
 
@@ -90,7 +92,7 @@ class Smoke {
   std::unique_ptr<Game> game_;
   std::vector<std::vector<replay::Throw>> throws_;
   std::map<std::uint64_t, std::uint8_t> buttons_;  // by tick
-  std::array<std::uint32_t, 64> events_{};  // by type, so far
+  std::array<std::uint32_t, 64> events_{};         // by type, so far
 };
 
 std::string smokeText(double value);

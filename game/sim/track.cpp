@@ -57,9 +57,13 @@ void Track::makeNext() {
 }
 
 void Track::throwBalls(const replay::InputFrame& input) {
-  int left = replay::kMaxThrows;
+  std::size_t place = 0;
   for (const replay::Throw& aim : input.throws) {
-    if (left-- == 0 || !session_.score.spendThrow(session_.inventory.runs(PowerUp::BallFrenzy))) return;
+    if (place++ == replay::kMaxThrows) {
+      session_.omissions.add(Omission::RefusedThrow, input.throws.size() - replay::kMaxThrows);
+      return;
+    }
+    if (!session_.score.spendThrow(session_.inventory.runs(PowerUp::BallFrenzy))) return;
     throwBall(aim);
   }
 }
@@ -91,7 +95,10 @@ void Track::enterNext() {
   const Vec3 moved(0.0f, 0.0f, pace_.roomLength() - (current_ ? current_->shift() : 0.0f));
   for (Event& event : session_.events) event.point += moved;  // into the frame that is now shown
   origin_ += pace_.lengthUnits();
-  if (current_) ++number_;
+  if (current_) {
+    ++number_;
+    session_.worldOmissions.add(current_->world().counters().omissions);
+  }
   current_ = std::move(next_);
   current_->setFrameOffset(Vec3::Zero());
   pace_.enterRoom(current_->settings().length);

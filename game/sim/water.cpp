@@ -83,6 +83,7 @@ void Waters::slow(physics::World& world, std::span<const PlannedWater> waters, f
 std::span<const Waters::Entry> Waters::entries(const physics::World& world, std::span<const PlannedWater> waters,
                                                float shift) {
   entries_.clear();
+  refused_ = 0;
   for (const Swimmer& swimmer : swimmers_) {
     if (!world.isAlive(swimmer.body) || swimmer.velocity.y() > -rules::kSplashSpeed) continue;
     const Vec3 center = world.body(swimmer.body).center;
@@ -90,10 +91,13 @@ std::span<const Waters::Entry> Waters::entries(const physics::World& world, std:
       const float surface = water.center.y();
       const bool fellIn = swimmer.lowest >= surface && center.y() - swimmer.radius < surface;
       if (!fellIn || !isOver(water, shift, center, 0.0f)) continue;
+      if (entries_.size() == rules::kMaxSplashes) {
+        ++refused_;
+        break;
+      }
       entries_.push_back({swimmer.body, Vec3(center.x(), surface, center.z()), swimmer.velocity, swimmer.size});
       break;
     }
-    if (entries_.size() == rules::kMaxSplashes) break;
   }
   return entries_;
 }
@@ -111,6 +115,7 @@ void Room::readSplashes() {
     event.value = party.isBall ? 1 : 0;
     emit(event);
   }
+  session_.omissions.add(Omission::RefusedSplash, waters_.refused());
 }
 
 }  // namespace brittle::sim

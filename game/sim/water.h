@@ -41,6 +41,8 @@ class Waters {
   /// After it: those that came through a surface from above, in slot order, at most rules::kMaxSplashes. Valid until
   /// the next step.
   std::span<const Entry> entries(const physics::World& world, std::span<const PlannedWater> waters, float shift);
+  /// How many more there were.
+  std::uint32_t refused() const { return refused_; }
 
  private:
   /// What is over or in water, before the step.
@@ -57,6 +59,7 @@ class Waters {
   // Kept to avoid allocating every tick.
   std::vector<Swimmer> swimmers_;
   std::vector<Entry> entries_;
+  std::uint32_t refused_ = 0;
 };
 
 }  // namespace brittle::sim

@@ -244,7 +244,10 @@ float loudnessOf(const Cue& cue) {
 /// began.
 void keepHeard(std::vector<Cue>& cues, std::size_t most, Masking& masking, Random& random) {
   std::stable_sort(cues.begin(), cues.end(), [](const Cue& a, const Cue& b) { return loudnessOf(a) > loudnessOf(b); });
-  if (cues.size() > most) cues.resize(most);
+  if (cues.size() > most) {
+    masking.quiet += cues.size() - most;
+    cues.resize(most);
+  }
   std::size_t kept = 0;
   for (Cue& cue : cues) {
     cue.delay += kept > 0 ? random.nextFloat(0.0f, kTickSeconds) : 0.0f;
@@ -252,6 +255,7 @@ void keepHeard(std::vector<Cue>& cues, std::size_t most, Masking& masking, Rando
     masking.level += kCovers * loudnessOf(cue);
     ++kept;
   }
+  masking.covered += cues.size() - kept;
   cues.resize(kept);
 }
 

@@ -27,6 +27,7 @@ struct Cue {
 /// them would be one hiss. Of equally loud hits about one per tick is left.
 struct Masking {
   float level = 0.0f;
+  std::uint64_t quiet = 0, covered = 0;  // sounds left out so far: beyond the loudest of a tick, and by the level
 };
 
 /// What the tick's events sound like. `streakBefore`: crystals in a row before this tick.

@@ -23,12 +23,15 @@ std::vector<TouchSpot> powerUpSpots(const sim::Hud& hud, float width, float heig
 /// What a frame took, as means. [ms]
 struct Timings {
   float frame = 0.0f, simulate = 0.0f, draw = 0.0f, swap = 0.0f;
-  float longest = 0.0f;  // frame
+  float longest = 0.0f;           // frame
+  std::vector<NamedCount> heard;  // what the sound leaves out
 };
 
 /// Its parts as a small table in the corner.
 void addTimings(const Timings& timings, render::Frame& frame);
 /// Below that table: every effect that runs in a room of the packet, a line each.
 void addRunning(const sim::FramePacket& packet, render::Frame& frame);
+/// Beside that table: what was put off, refused or taken away, a line each.
+void addOmissions(const std::vector<NamedCount>& counts, render::Frame& frame);
 
 }  // namespace brittle::view

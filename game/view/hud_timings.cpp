@@ -9,6 +9,7 @@ namespace {
 
 // Layout, chosen by eye: room for numbers of four digits. [picture heights]
 constexpr float kLeft = 0.03f, kTop = 0.04f, kLetter = 0.016f, kLine = 0.03f, kNumberRight = 0.29f, kMargin = 0.016f;
+constexpr float kCountRight = 0.42f;
 
 void addCell(float right, int line, render::HudAlign align, std::string text, render::Frame& frame) {
   const render::HudPoint at{Vec2::Zero(), Vec2(right, kTop + kLine * static_cast<float>(line))};
@@ -38,6 +39,15 @@ void addRunning(const sim::FramePacket& packet, render::Frame& frame) {
   for (std::size_t i = 0; i < effects::kEffects; ++i)
     if (const auto effect = static_cast<effects::Effect>(i); packet.runs(effect))
       addCell(kLeft, line++, render::HudAlign::Left, effects::nameOf(effect), frame);
+}
+
+void addOmissions(const std::vector<NamedCount>& counts, render::Frame& frame) {
+  constexpr float left = kLeft + kNumberRight + 4.0f * kMargin;
+  int line = 0;
+  for (const NamedCount& one : counts) {
+    addCell(left, line, render::HudAlign::Left, one.name, frame);
+    addCell(left + kCountRight, line++, render::HudAlign::Right, std::to_string(one.count), frame);
+  }
 }
 
 }  // namespace brittle::view

@@ -152,10 +152,17 @@ float ageOf(const Remembered& r, double tick, double time, float life) {
   return maxOf(own, seen * life / static_cast<float>(kMemoryTicks));
 }
 
+/// How far from it an event throws anything. [m]
+float reachOf(const sim::Event& event) {
+  constexpr float burst = 4.0f;  // the fastest sparks come 2.6 m far, and a flash is a metre wide
+  return event.type == sim::EventType::Explosion ? maxOf(burst, event.size) : burst;
+}
+
 }  // namespace
 
-void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time,
+void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time, Bounds& bounds,
                   render::Frame& frame) {
+  const std::size_t glows = frame.glows.size(), streaks = frame.beams.size();
   std::uint64_t sameTick = 0, lastTick = 0;
   for (const Remembered& r : memory.events()) {
     sameTick = r.tick == lastTick ? sameTick + 1 : 0;
@@ -164,6 +171,10 @@ void addParticles(const sim::FramePacket& packet, const Memory& memory, double t
     const float life = r.event.type == sim::EventType::Explosion ? kBlastTicks : kPuffTicks;
     const float age = ageOf(r, tick, time, life);
     if (age < 0.0f || age >= life) continue;
+    if (isBehind(frame.camera, r.pointIn(packet.originZ), reachOf(r.event))) {
+      bounds.omissions.add(Omission::BehindCamera);
+      continue;
+    }
     const Emitter emitter(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::Break) addBreak(r.event, emitter);
     if (r.event.type == sim::EventType::Hit) addHit(r.event, emitter);
@@ -172,6 +183,8 @@ void addParticles(const sim::FramePacket& packet, const Memory& memory, double t
         addExplosion(r.event, r.pointIn(packet.originZ), age, r.tick * 64 + sameTick, frame);
     if (r.event.type == sim::EventType::PowerUpCollected) addTaken(r.event, emitter);
   }
+  bounds.omissions.add(Omission::Glow, keepLatest(frame.glows, glows, bounds.budget.glows));
+  bounds.omissions.add(Omission::Streak, keepLatest(frame.beams, streaks, bounds.budget.streaks));
 }
 
 }  // namespace brittle::view

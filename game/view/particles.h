@@ -4,10 +4,12 @@
 #pragma once
 
 #include "game/view/memory.h"
+#include "game/view/omission.h"
 
 namespace brittle::view {
 
 /// `tick` is the moment seen, `time` the game's own: in slow motion what flies is slower too. Adds glows and beams.
-void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time, render::Frame& frame);
+void addParticles(const sim::FramePacket& packet, const Memory& memory, double tick, double time, Bounds& bounds,
+                  render::Frame& frame);
 
 }  // namespace brittle::view

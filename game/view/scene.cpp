@@ -84,12 +84,12 @@ double Scene::timeAt(float alpha) const {
   return now_.time - static_cast<double>((1.0f - alpha) * now_.timeShare);
 }
 
-void Scene::placeCamera(double tick) {
+void Scene::placeCamera(double tick, float aspect) {
   const sim::Camera& from = seen_.camera;
   render::Camera& camera = frame_.camera;
   camera.position = from.position;
   camera.rotation = from.rotation;
-  if (from.halfWidthTangent > 0.0f) camera.tanHalfWidth = from.halfWidthTangent;
+  if (from.halfWidthTangent > 0.0f) camera.tanHalfWidth = from.halfWidthTangentIn(aspect);
   if (from.near > 0.0f) camera.nearPlane = from.near;
   if (from.far > camera.nearPlane) camera.farPlane = from.far;
   const float pain = clampTo(seen_.hud.pain, 0.0f, 1.0f);
@@ -164,18 +164,27 @@ void Scene::addThings() {
     frame_.spheres.push_back({ball.pose.position, ball.radius, ball.pose.rotation, material, tintOf(ball)});
 }
 
+std::vector<NamedCount> Scene::omissions() const {
+  Tally<Omission> all = bounds_.omissions;
+  all.add(Omission::BakedMesh, statics_.dropped());
+  std::vector<NamedCount> counts;
+  all.list(counts);
+  return counts;
+}
+
 const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& pools, bool paused,
                                   const Timings* timings) {
   alpha_ = clampTo(alpha, 0.0f, 1.0f);
   interpolate(before_, now_, alpha, seen_);
   const double tick = static_cast<double>(now_.tick) - 1.0 + static_cast<double>(clampTo(alpha, 0.0f, 1.0f));
   frame_.clear();
-  placeCamera(tick);
+  bounds_.budget = seenBudget(now_.maxDebris);
+  placeCamera(tick, aspect);
   const float entered = memory_.ageOf(sim::EventType::RoomEntered, tick) / kFogBlendTicks;
   frame_.fog = mix(memory_.fogBefore(), fogOf(seen_), smooth(clampTo(entered, 0.0f, 1.0f)));
   if (!seen_.runs(Effect::Fog)) frame_.fog.start = frame_.fog.end = 2.0f * frame_.camera.farPlane;
   placeFocus(smooth(clampTo(entered, 0.0f, 1.0f)));
-  frame_.surroundings = surroundingsOf(seen_);
+  frame_.surroundings = surroundingsOf(seen_, bounds_);
   frame_.sphereShadow = seen_.runs(Effect::Shadows) ? shadowStrengthOf(seen_) : 0.0f;
   if (seen_.runs(Effect::Mirror)) frame_.mirrorHeight = mirrorHeightOf(seen_);
   addRooms(pools);
@@ -185,19 +194,24 @@ const render::Frame& Scene::build(float alpha, float aspect, const MeshPools& po
   if constexpr (effects::kHasAir)
     if (seen_.runs(Effect::Air)) addAir(seen_, tick, frame_);
   if constexpr (effects::kHasWater)
-    if (seen_.runs(Effect::Water)) addWaters(seen_, memory_, tick, frame_);
+    if (seen_.runs(Effect::Water)) addWaters(seen_, memory_, tick, bounds_, frame_);
   if constexpr (effects::kHasLasers)
     if (seen_.runs(Effect::Lasers)) addLasers(seen_, tick, frame_);
   if constexpr (effects::kHasSplinters)
-    if (seen_.runs(Effect::Splinters)) addParticles(seen_, memory_, tick, timeAt(alpha_), frame_);
+    if (seen_.runs(Effect::Splinters)) addParticles(seen_, memory_, tick, timeAt(alpha_), bounds_, frame_);
   if constexpr (effects::kHasSmoke)
-    if (seen_.runs(Effect::Smoke)) addSmoke(seen_, memory_, tick, frame_);
+    if (seen_.runs(Effect::Smoke)) addSmoke(seen_, memory_, tick, bounds_, frame_);
   addGlows(tick);
   addPowerUps(seen_, timeAt(alpha_), frame_);
+  keepWithin(frame_, bounds_);
   addHud(seen_, memory_, tick, aspect, frame_, paused);
   if (timings != nullptr) {
     addTimings(*timings, frame_);
     addRunning(seen_, frame_);
+    std::vector<NamedCount> counts = seen_.omissions;
+    addUp(counts, omissions());
+    addUp(counts, timings->heard);
+    addOmissions(counts, frame_);
   }
   return frame_;
 }

@@ -7,6 +7,7 @@
 
 #include "game/view/hud.h"
 #include "game/view/memory.h"
+#include "game/view/omission.h"
 #include "game/view/statics.h"
 
 namespace brittle::view {
@@ -30,6 +31,8 @@ class Scene {
   /// on. `aspect`: width over height. `timings`: shown unless null.
   const render::Frame& build(float alpha, float aspect, const MeshPools& pools, bool paused = false,
                              const Timings* timings = nullptr);
+  /// What was left out of the pictures built so far: of each kind that is not zero.
+  std::vector<NamedCount> omissions() const;
 
  private:
   void addRooms(const MeshPools& pools);
@@ -37,7 +40,7 @@ class Scene {
   void addThings();
   void addGlows(double tick);
   void placeFocus(float entered);
-  void placeCamera(double tick);
+  void placeCamera(double tick, float aspect);
   /// The game's time, `alpha` of the way between the last two ticks. [ticks]
   double timeAt(float alpha) const;
 
@@ -47,6 +50,7 @@ class Scene {
   sim::FramePacket before_, now_, seen_;
   float alpha_ = 1.0f;  // of the picture that is built
   render::Frame frame_;
+  Bounds bounds_;
   std::uint64_t resets_ = 0;
 };
 

@@ -9,7 +9,6 @@
 namespace brittle::view {
 namespace {
 
-constexpr std::size_t kMostPuffs = 200;                   // the latest
 constexpr float kPuffStart = 0.12f, kPuffSpread = 0.42f;  // radius as it begins [m], and of its growth [m/s^(1/2)]
 constexpr float kPuffHold = 1.6f;                         // the air takes its speed at this rate [1/s]
 constexpr float kPuffRise = 0.22f;                        // it is warm [m/s]
@@ -44,7 +43,7 @@ float puffCover(float age) {
   return 0.60f * left * left * minOf(0.3f + age / 0.15f, 1.0f);
 }
 
-void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
+void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick, Bounds& bounds, render::Frame& frame) {
   std::uint64_t sameTick = 0, lastTick = 0;
   for (const Remembered& r : memory.events()) {
     if (r.event.type != sim::EventType::Smoke) continue;
@@ -55,8 +54,7 @@ void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick,
     if (puffCover(age) <= 0.0f) continue;
     frame.puffs.push_back(puffOf(r.pointIn(packet.originZ), r.event.direction, age, r.tick * 64 + sameTick));
   }
-  if (frame.puffs.size() > kMostPuffs)
-    frame.puffs.erase(frame.puffs.begin(), frame.puffs.end() - static_cast<std::ptrdiff_t>(kMostPuffs));
+  bounds.omissions.add(Omission::Puff, keepLatest(frame.puffs, 0, bounds.budget.puffs));
   const Vec3 eye = frame.camera.position;
   std::stable_sort(frame.puffs.begin(), frame.puffs.end(), [&eye](const render::Puff& a, const render::Puff& b) {
     return (a.position - eye).squaredNorm() > (b.position - eye).squaredNorm();

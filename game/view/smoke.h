@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/view/memory.h"
+#include "game/view/omission.h"
 
 namespace brittle::view {
 
@@ -15,6 +16,6 @@ float puffDrift(float age);
 float puffCover(float age);
 
 /// `tick` is the moment seen. Adds puffs, farthest first.
-void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame);
+void addSmoke(const sim::FramePacket& packet, const Memory& memory, double tick, Bounds& bounds, render::Frame& frame);
 
 }  // namespace brittle::view

@@ -87,6 +87,16 @@ void Sound::reset() {
   streak_ = 0;
 }
 
+std::vector<NamedCount> Sound::omissions() const {
+  Tally<Omission> own;
+  own.add(Omission::QuietSound, masking_.quiet);
+  own.add(Omission::CoveredSound, masking_.covered);
+  std::vector<NamedCount> counts;
+  own.list(counts);
+  mixer_.omissions(counts);
+  return counts;
+}
+
 audio::Acoustics acousticsOf(const sim::RoomView& room) {
   audio::Acoustics asked;
   if (room.effects.has(effects::Effect::Reverb)) asked.reverb = {room.reverb[0], room.reverb[1], room.reverb[2]};

@@ -13,6 +13,7 @@
 #include "engine/audio/mixer.h"
 #include "game/sim/frame_packet.h"
 #include "game/view/cues.h"
+#include "game/view/omission.h"
 
 namespace brittle::view {
 
@@ -25,6 +26,8 @@ class Sound {
   void tick(const sim::FramePacket& packet);
   /// Another game follows: ends all sounds.
   void reset();
+  /// What was left out since then, here and by the mixer: of each kind that is not zero.
+  std::vector<NamedCount> omissions() const;
 
  private:
   void enterRoom(const sim::FramePacket& packet);

@@ -42,6 +42,7 @@ void Statics::dropUnseen() {
     }
     if (it->second.id != 0) renderer_.destroyStatic(it->second.id);
     bytes_ -= it->second.bytes;
+    ++dropped_;
     it = meshes_.erase(it);
   }
 }

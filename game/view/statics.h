@@ -32,6 +32,8 @@ class Statics {
             std::vector<render::VisibleStatic>& seen);
   void clear();
   std::size_t count() const { return meshes_.size(); }
+  /// Looks dropped so far because nobody saw them.
+  std::uint64_t dropped() const { return dropped_; }
 
  private:
   struct Mesh {
@@ -58,7 +60,7 @@ class Statics {
   std::map<std::string, Mesh> meshes_;  // by the look's name: one file, one look
   std::size_t bytes_ = 0;               // of all of them
   std::optional<Baking> baking_;
-  std::uint64_t shows_ = 0;
+  std::uint64_t shows_ = 0, dropped_ = 0;
 };
 
 }  // namespace brittle::view

@@ -108,7 +108,7 @@ void forSegmentsAbout(const sim::FramePacket& packet, Visit visit) {
 
 }  // namespace
 
-render::Surroundings surroundingsOf(const sim::FramePacket& packet) {
+render::Surroundings surroundingsOf(const sim::FramePacket& packet, Bounds& bounds) {
   render::Surroundings result;
   Mean mean;
   forSegmentsAbout(packet, [&](const sim::PlacedSegment& segment, float length) {
@@ -116,6 +116,8 @@ render::Surroundings surroundingsOf(const sim::FramePacket& packet) {
     addLamps(segment, packet.camera.position.z(), result);
   });
   mean.write(result);
+  if (result.lamps.size() > render::kMostMirroredLamps)
+    bounds.omissions.add(Omission::Lamp, result.lamps.size() - render::kMostMirroredLamps);
   keepNearestLamps(packet.camera.position, result.lamps);
   return result;
 }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kWaterGravity = 9.81f;  // [m/s2]; of the picture's waves, whatever the room's
 constexpr float kWavesFor = static_cast<float>(kMemoryTicks) / 60.0f;  // a splash is seen [s]
-constexpr std::size_t kMostRings = 24;                                 // splashes that make waves at a time, the latest
 constexpr float kFoamFor = 2.2f;                                       // [s]
 constexpr float kLongGroup = 2.1f, kLongShare = 0.45f;                 // length and height of the longer waves
 
@@ -157,7 +156,8 @@ float swellHeight(float x, double along, double seconds) {
   return static_cast<float>(height);
 }
 
-void addWaters(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame) {
+void addWaters(const sim::FramePacket& packet, const Memory& memory, double tick, Bounds& bounds,
+               render::Frame& frame) {
   BR_ZONE("waters");
   const std::vector<sim::WaterView> seen = watersInSight(packet, frame);
   if (seen.empty()) return;
@@ -171,7 +171,10 @@ void addWaters(const sim::FramePacket& packet, const Memory& memory, double tick
     const Splash splash{Vec2(point.x(), point.z()), age, r->event.size, r->event.speed};
     if (age < 0.0f || age >= kWavesFor) continue;
     addDrops(splash, r->event, point, r->tick, frame);
-    if (rings.size() < kMostRings) rings.emplace_back(splash);
+    if (rings.size() < bounds.budget.ripples)
+      rings.emplace_back(splash);
+    else
+      bounds.omissions.add(Omission::Ripple);
   }
   for (const sim::WaterView& from : seen) {
     render::Water water;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "game/view/memory.h"
+#include "game/view/omission.h"
 
 namespace brittle::view {
 
@@ -43,6 +44,6 @@ inline constexpr float kSwellHeight = 0.022f;
 
 /// `tick` is the moment seen. Adds the waters of the rooms that have some before the camera, farthest first, and the
 /// drops of fresh splashes.
-void addWaters(const sim::FramePacket& packet, const Memory& memory, double tick, render::Frame& frame);
+void addWaters(const sim::FramePacket& packet, const Memory& memory, double tick, Bounds& bounds, render::Frame& frame);
 
 }  // namespace brittle::view

@@ -14,6 +14,7 @@
 #include "tools/brittle/faults.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/interrupt.h"
+#include "tools/brittle/omissions.h"
 #include "tools/brittle/picture.h"
 #include "tools/brittle/progress.h"
 
@@ -33,6 +34,7 @@ struct Spent {
   double worst = 0.0;             // [ms] heaviest tick
   double heapBytes = 0.0;
   int ticks = 0, pictures = 0;
+  std::vector<NamedCount> omissions;  // of game, pictures and sound
 
   double perTick() const { return milliseconds / std::max(ticks, 1); }
   double perPicture() const { return drawMilliseconds / std::max(pictures, 1); }
@@ -93,6 +95,9 @@ class Show {
       if (demands != nullptr && game.roomNumber() == room) *demands = game.effects();
     }
     spent.heapBytes = heapBytes() - before;
+    spent.omissions = game.omissions();
+    addUp(spent.omissions, (*picture)->omissions());
+    addUp(spent.omissions, sound.omissions());
     if (faults != nullptr) faults->show(game);
     return Done{};
   }
@@ -160,6 +165,7 @@ void print(const RoomCost& cost) {
       none += (none.empty() ? "" : ", ") + std::string(effects::nameOf(effect));
   }
   if (!none.empty()) std::printf("  nobody demands %s\n", none.c_str());
+  if (!cost.whole.omissions.empty()) std::printf("  left out: %s\n", inWords(cost.whole.omissions).c_str());
 }
 
 /// A text of the content as JSON has it.
@@ -188,7 +194,7 @@ void printJson(const std::vector<RoomCost>& rooms) {
         std::printf("%s%s: %d", it == demand.who.begin() ? "" : ", ", quoted(it->first).c_str(), it->second);
       std::printf("}}");
     }
-    std::printf("]}");
+    std::printf("],\n    \"left_out\": %s}", inJson(cost.whole.omissions).c_str());
   }
   std::printf("\n]\n");
 }

@@ -10,10 +10,11 @@
 namespace brittle::program {
 namespace {
 
-std::optional<view::Timings> timingsOf(const runtime::FrameTimes* times) {
+std::optional<view::Timings> timingsOf(const runtime::FrameTimes* times, const std::vector<NamedCount>& heard) {
   if (times == nullptr) return std::nullopt;
   const auto ms = [](double seconds) { return static_cast<float>(seconds * 1000.0); };
-  return view::Timings{ms(times->frame), ms(times->simulate), ms(times->draw), ms(times->swap), ms(times->longest)};
+  return view::Timings{ms(times->frame), ms(times->simulate), ms(times->draw),
+                       ms(times->swap),  ms(times->longest),  heard};
 }
 
 }  // namespace
@@ -61,16 +62,21 @@ void Picture::restarted() {
   parts_->scene->reset();
 }
 
-void Picture::draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay) {
+void Picture::draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay,
+                   const std::vector<NamedCount>& heard) {
   const runtime::PictureSize size = shown.size;
   if (size.width < 1 || size.height < 1) return;  // a window that is minimised
   if (!(size == parts_->size)) parts_->renderer->resize(size.width, size.height);
   parts_->size = size;
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  const std::optional<view::Timings> timings = timingsOf(shown.times);
+  const std::optional<view::Timings> timings = timingsOf(shown.times, heard);
   parts_->renderer->draw(parts_->scene->build(shown.alpha, aspect, {game.meshes(0), game.meshes(1)}, shown.paused,
                                               timings ? &*timings : nullptr),
                          overlay);
+}
+
+std::vector<NamedCount> Picture::omissions() const {
+  return parts_->scene->omissions();
 }
 
 render::Image Picture::readBack() {

@@ -29,7 +29,11 @@ class Picture {
   /// Another game follows: forgets everything about the last one.
   void restarted();
   /// `overlay`: on top, unless null.
-  void draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay = nullptr);
+  /// `heard`: what the sound left out, shown beside what the picture did.
+  void draw(sim::Game& game, const runtime::Shown& shown, const render::Overlay* overlay = nullptr,
+            const std::vector<NamedCount>& heard = {});
+  /// What the pictures so far left out.
+  std::vector<NamedCount> omissions() const;
   render::Image readBack();
 
  private:

@@ -60,10 +60,15 @@ class Player : public runtime::Client {
   void draw(const runtime::Shown& shown) override {
     const render::Overlay* panels = tuning_.build(simulation_->game(), shown.size);
     if (tuning_.hasChanged()) endRecording();
-    picture_.draw(simulation_->game(), shown, panels);
+    std::vector<NamedCount> heard;
+    if (speakers_ != nullptr && shown.times != nullptr) heard = speakers_->omissions();
+    picture_.draw(simulation_->game(), shown, panels, heard);
     ++frames_;
   }
-  float tanHalfWidth() const override { return simulation_->game().camera().halfWidthTangent; }
+  float tanHalfWidth(runtime::PictureSize size) const override {
+    const float aspect = static_cast<float>(maxOf(size.width, 1)) / static_cast<float>(maxOf(size.height, 1));
+    return simulation_->game().camera().halfWidthTangentIn(aspect);
+  }
   runtime::Controls controls(runtime::PictureSize size) const override {
     runtime::Controls controls;
     const sim::Hud& hud = simulation_->game().hud();

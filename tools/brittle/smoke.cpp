@@ -9,6 +9,7 @@
 #include "engine/replay/replay_file.h"
 #include "tools/brittle/game.h"
 #include "tools/brittle/interrupt.h"
+#include "tools/brittle/omissions.h"
 
 namespace brittle::program {
 namespace {
@@ -35,6 +36,7 @@ void print(const std::string& path, const sim::SmokeResult& result) {
   std::printf("%s: %u checks, %zu failed, %llu ticks, state %016llx\n", path.c_str(), result.checks,
               result.failures.size(), static_cast<unsigned long long>(result.ticks),
               static_cast<unsigned long long>(result.stateHash));
+  if (!result.omissions.empty()) std::printf("  left out: %s\n", inWords(result.omissions).c_str());
 }
 
 /// How many balls were left in each of several games: median, fewest, most.

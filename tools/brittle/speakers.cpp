@@ -37,4 +37,8 @@ void Speakers::restarted() {
   parts_->sound.reset();
 }
 
+std::vector<NamedCount> Speakers::omissions() const {
+  return parts_->sound.omissions();
+}
+
 }  // namespace brittle::program

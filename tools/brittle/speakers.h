@@ -19,6 +19,8 @@ class Speakers {
   void ticked(const sim::FramePacket& packet);
   /// Another game follows.
   void restarted();
+  /// What it left out so far.
+  std::vector<NamedCount> omissions() const;
 
  private:
   struct Parts;

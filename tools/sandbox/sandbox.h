@@ -20,7 +20,7 @@ class Sandbox : public runtime::Client {
   bool hear(const runtime::Event& event);
   void tick(const replay::InputFrame&) override;
   void draw(const runtime::Shown& shown) override;
-  float tanHalfWidth() const override { return 1.0f; }  // the loop's own throws are not used
+  float tanHalfWidth(runtime::PictureSize) const override { return 1.0f; }  // the loop's own throws are not used
   bool isDone() const override { return frames_ != 0 && drawn_ >= frames_; }
   void setPaused(bool paused) { isPaused_ = paused; }
 

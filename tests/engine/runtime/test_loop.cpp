@@ -46,7 +46,7 @@ class CountingClient : public Client {
     timesWhenDrawn = shown.times != nullptr ? std::optional(*shown.times) : std::nullopt;
     if (platform != nullptr) platform->now += 0.004;
   }
-  float tanHalfWidth() const override { return 1.0f; }
+  float tanHalfWidth(PictureSize) const override { return 1.0f; }
   Controls controls(PictureSize) const override { return shownControls; }
   bool isDone() const override { return done; }
 

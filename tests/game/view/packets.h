@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/sim/frame_packet.h"
+#include "game/view/omission.h"
 
 namespace brittle::view {
 
@@ -10,6 +11,12 @@ inline sim::Event eventOf(sim::EventType type, const Vec3& point) {
   event.type = type;
   event.point = point;
   return event;
+}
+
+/// The default's, for who does not look at what is left out.
+inline Bounds& anyBounds() {
+  static Bounds bounds;
+  return bounds;
 }
 
 /// One room with a floor of 4 x 8 m, in which every effect runs that finds something to do, and a camera one metre

@@ -18,11 +18,11 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
   broken.events.push_back(eventOf(sim::EventType::Break, Vec3(0.5f, 1.0f, -3.0f)));
   memory.tick(broken);
   render::Frame frame, shifted;
-  addParticles(packet, memory, 40.0, 40.0, frame);
+  addParticles(packet, memory, 40.0, 40.0, anyBounds(), frame);
   addAir(packet, 40.0, frame);
   packet.originZ -= 64.0;
   packet.camera.position.z() += 64.0f;
-  addParticles(packet, memory, 40.0, 40.0, shifted);
+  addParticles(packet, memory, 40.0, 40.0, anyBounds(), shifted);
   addAir(packet, 40.0, shifted);
   ASSERT_GT(frame.glows.size(), 40u);
   ASSERT_EQ(shifted.glows.size(), frame.glows.size());
@@ -34,7 +34,7 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
 
 TEST(Particles, AreNoneWhenNobodyAsks) {
   render::Frame frame;
-  addParticles(packetAt(40), {}, 40.0, 40.0, frame);
+  addParticles(packetAt(40), {}, 40.0, 40.0, anyBounds(), frame);
   addAir(packetAt(40), 40.0, frame);
   EXPECT_TRUE(frame.glows.empty());
 }
@@ -48,7 +48,7 @@ TEST(Particles, DependOnWhatBreaks) {
     Memory memory;
     memory.tick(packet);
     render::Frame frame;
-    addParticles(packet, memory, 44.0, 44.0, frame);
+    addParticles(packet, memory, 44.0, 44.0, anyBounds(), frame);
     return frame;
   };
   const auto stars = [](const render::Frame& frame) {
@@ -68,7 +68,7 @@ TEST(Particles, FadeBeforeTheEye) {
     memory.tick(packet);
     render::Frame frame;
     frame.camera.position = Vec3(0.0f, 1.0f, 0.0f);
-    addParticles(packet, memory, 40.0, 40.0, frame);
+    addParticles(packet, memory, 40.0, 40.0, anyBounds(), frame);
     std::uint32_t light = 0;
     for (const render::Glow& glow : frame.glows) light += glow.color >> 24;
     for (const render::Beam& beam : frame.beams) light += beam.color >> 24;
@@ -86,7 +86,7 @@ TEST(Particles, OfABreakAreGoneWellBeforeItIsForgotten) {
   Memory memory;
   memory.tick(packet);
   render::Frame frame;
-  addParticles(packet, memory, 40.0 + kMemoryTicks - 1.0, 40.0 + kMemoryTicks - 1.0, frame);
+  addParticles(packet, memory, 40.0 + kMemoryTicks - 1.0, 40.0 + kMemoryTicks - 1.0, anyBounds(), frame);
   EXPECT_TRUE(frame.glows.empty());
   EXPECT_TRUE(frame.beams.empty());
 }
@@ -98,7 +98,7 @@ TEST(Particles, GoByTheGamesTime) {
   memory.tick(packet);
   const auto beamsAt = [&](double tick, double time) {
     render::Frame frame;
-    addParticles(packetAt(10), memory, tick, time, frame);
+    addParticles(packetAt(10), memory, tick, time, anyBounds(), frame);
     return frame.beams;
   };
   ASSERT_FALSE(beamsAt(14.0, 14.0).empty());

@@ -42,14 +42,14 @@ TEST(Puffs, OfRememberedEventsAreDrawnFarthestFirst) {
   render::Frame frame;
   const sim::FramePacket packet = packetAt(60);
   frame.camera.position = packet.camera.position;
-  addSmoke(packet, memory, 60.0, frame);
+  addSmoke(packet, memory, 60.0, anyBounds(), frame);
   ASSERT_EQ(frame.puffs.size(), 20u);
   for (std::size_t i = 1; i < frame.puffs.size(); ++i)
     EXPECT_LE((frame.puffs[i].position - frame.camera.position).norm(),
               (frame.puffs[i - 1].position - frame.camera.position).norm());
   for (const render::Puff& puff : frame.puffs) EXPECT_GT(puff.position.y(), 0.9f) << "they rise";
   render::Frame later;
-  addSmoke(packet, memory, 60.0 + 60.0 * static_cast<double>(kPuffSeconds), later);
+  addSmoke(packet, memory, 60.0 + 60.0 * static_cast<double>(kPuffSeconds), anyBounds(), later);
   EXPECT_THAT(later.puffs, ::testing::IsEmpty());
 }
 

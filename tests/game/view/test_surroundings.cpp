@@ -35,7 +35,7 @@ sim::FramePacket tunnel(const std::vector<float>& widths) {
 }
 
 TEST(Surroundings, AreTheSidesOfTheRoom) {
-  const render::Surroundings seen = surroundingsOf(tunnel({2.0f, 2.0f, 2.0f}));
+  const render::Surroundings seen = surroundingsOf(tunnel({2.0f, 2.0f, 2.0f}), anyBounds());
   EXPECT_LT((seen.low - Vec2(-2.0f, 0.0f)).norm(), 1e-4f);
   EXPECT_LT((seen.high - Vec2(2.0f, 3.0f)).norm(), 1e-4f);
   EXPECT_LT((seen.floor - Vec3(1.0f, 0.0f, 0.0f)).norm(), 1e-4f);
@@ -46,10 +46,10 @@ TEST(Surroundings, AreTheSidesOfTheRoom) {
 
 TEST(Surroundings, ChangeSmoothlyAsTheCameraFliesOn) {
   sim::FramePacket packet = tunnel({2.0f, 3.0f, 3.0f, 2.0f});
-  float last = surroundingsOf(packet).low.x(), widest = last;
+  float last = surroundingsOf(packet, anyBounds()).low.x(), widest = last;
   for (int step = 0; step < 200; ++step) {
     packet.camera.position.z() -= 0.08f;  // of a tick at 5 m/s
-    const float low = surroundingsOf(packet).low.x();
+    const float low = surroundingsOf(packet, anyBounds()).low.x();
     EXPECT_LT(std::fabs(low - last), 0.02f);
     widest = minOf(widest, low);
     last = low;
@@ -66,14 +66,14 @@ TEST(Surroundings, ListTheNearestLamps) {
     look->boxes.back().glow = 1.0f;
   }
   packet.rooms[0].segments[1].look = look;
-  const render::Surroundings seen = surroundingsOf(packet);
+  const render::Surroundings seen = surroundingsOf(packet, anyBounds());
   ASSERT_EQ(seen.lamps.size(), render::kMostMirroredLamps);
   EXPECT_FLOAT_EQ(seen.lamps[0].center.z(), -8.0f);
   EXPECT_GT(seen.lamps[0].light, 0.0f);
 }
 
 TEST(Surroundings, WithoutRoomsAreTheDefault) {
-  EXPECT_EQ(surroundingsOf({}).low, render::Surroundings().low);
+  EXPECT_EQ(surroundingsOf({}, anyBounds()).low, render::Surroundings().low);
   EXPECT_FALSE(mirrorHeightOf({}));
 }
 

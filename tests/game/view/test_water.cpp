@@ -83,7 +83,7 @@ class Pool : public ::testing::Test {
   static render::Frame frameOf(const sim::FramePacket& packet, const Memory& memory, double tick) {
     render::Frame frame;
     frame.camera.position = packet.camera.position;
-    addWaters(packet, memory, tick, frame);
+    addWaters(packet, memory, tick, anyBounds(), frame);
     return frame;
   }
 };

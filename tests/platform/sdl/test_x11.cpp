@@ -28,7 +28,7 @@ class ThrowingClient : public runtime::Client {
     throws.insert(throws.end(), input.throws.begin(), input.throws.end());
   }
   void draw(const runtime::Shown& now) override { shown = now; }
-  float tanHalfWidth() const override { return kTanHalfWidth; }
+  float tanHalfWidth(runtime::PictureSize) const override { return kTanHalfWidth; }
   bool isDone() const override { return false; }
 
   int ticks = 0;

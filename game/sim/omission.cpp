@@ -1,0 +1,12 @@
+#include "game/sim/omission.h"
+
+namespace brittle::sim {
+
+const char* nameOf(Omission omission) {
+  constexpr const char* names[] = {
+      "bodies passed",       "bodies fallen out", "pieces out of sight", "obstacles put off", "scripts put off",
+      "obstacles taken out", "content refused",   "throws refused",      "splashes refused",  "problems not told"};
+  return names[static_cast<int>(omission)];
+}
+
+}  // namespace brittle::sim
