@@ -31,12 +31,18 @@ std::optional<Accuracy> preset(std::string_view name) {
   if (name == "balanced") return accuracy;
   if (name == "phone") {
     accuracy.minVolumeScale = 10.0f;
+    accuracy.maxDebris = 192;
+    accuracy.maxBodies = 192;
   } else if (name == "accurate") {
     accuracy.iterations = 16;
     accuracy.substeps = 2;
+    accuracy.maxDebris = 1024;
+    accuracy.maxBodies = 4096;
   } else if (name == "reference") {
     accuracy.iterations = 32;
     accuracy.substeps = 8;
+    accuracy.maxDebris = 2048;
+    accuracy.maxBodies = 8192;
   } else {
     return std::nullopt;
   }

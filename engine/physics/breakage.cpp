@@ -77,8 +77,8 @@ void makeBodies(State& state, BodyHandle old, BodyHandle striker, const Fracture
     }
     Body body = state.bodies[old];
     body.type = BodyType::Dynamic;
-    body.isPiece = true;
     body.wake();
+    body.isPiece = true;
     body.firstShape = {};
     body.shapeCount = 0;
     body.hasTarget = false;

@@ -41,8 +41,9 @@ inline constexpr float kSegmentBehind = 2.0f;  // a segment is dropped when its 
 inline constexpr float kDefaultRoomLength = 160.0f;  // of a room script that declares none [m]
 inline constexpr float kLengthStep = 1.0f / 256.0f;  // room lengths and shifts are multiples of this [m]
 inline constexpr float kBehindCamera = 0.6f;         // things wholly this far behind are removed [m]
-inline constexpr int kUnseenTicks =
-    kTickRate;  // so are pieces out of sight for so long; sooner, and some bounce back into the picture
+// So are pieces out of sight for so long [ticks]. Measured where somebody throws at everything for five minutes: after
+// a quarter of a second 5 of 7342 come back into the picture, after half a second none of 3298.
+inline constexpr int kUnseenTicks = kTickRate / 2;
 inline constexpr float kFallDepth = -10.0f;  // what falls below is removed [m], format
 
 // Balls.

@@ -35,6 +35,7 @@ void readAhead(Session& session, const std::vector<RoomEntry>& entries) {
       if (!script) session.reportMissing("obstacle " + obstacle.type, obstacle.where, script.error().message);
     }
   }
+  session.omissions = {};  // counted when a room is made
 }
 
 std::uint64_t roomSeed(const Session& session, const RoomEntry& entry, std::uint64_t number) {

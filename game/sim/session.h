@@ -56,6 +56,7 @@ struct Session {
   }
   /// Says of each thing once that it cannot be had, where it was asked for first.
   void reportMissing(const std::string& thing, const std::string& where, const std::string& why) {
+    if (missing.contains(thing + ": " + why)) return;
     if (reported.size() >= rules::kMaxProblems) return omissions.add(Omission::UntoldProblem);
     if (missing.insert(thing + ": " + why).second) report(where + ": " + thing + ": " + why);
   }

@@ -24,7 +24,7 @@ std::vector<TouchSpot> powerUpSpots(const sim::Hud& hud, float width, float heig
 struct Timings {
   float frame = 0.0f, simulate = 0.0f, draw = 0.0f, swap = 0.0f;
   float longest = 0.0f;           // frame
-  std::vector<NamedCount> heard;  // what the sound leaves out
+  std::vector<NamedCount> heard = {};  // what the sound leaves out
 };
 
 /// Its parts as a small table in the corner.

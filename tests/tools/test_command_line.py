@@ -3,6 +3,7 @@
 
 usage: test_command_line.py PROGRAM ROOT
 """
+import json
 import os
 import pty
 import signal
@@ -226,6 +227,24 @@ class CommandLine(unittest.TestCase):
         result = brittle("smoke", script)
         self.assertEqual(result.returncode, 1)
         self.assertIn("expect_broken", result.stdout)
+
+    def test_what_was_left_out_is_said(self):
+        result = brittle("smoke", "tests/smoke/gallery.lua")
+        self.assertRegex(result.stdout, r"\n  left out: \d+ [a-z ]+, .*\d+ bodies passed", result.stdout)
+        level = self.folder / "bar" / "levels" / "bar.xml"
+        level.parent.mkdir(parents=True)
+        (level.parent.parent / "rooms").mkdir()
+        level.write_text('<level><room type="bar" length="100"/></level>')
+        # Bars that nobody breaks are passed.
+        (level.parent.parent / "rooms" / "bar.lua").write_text(
+            "function init() mgObstacle('bar', 0, 3, -20) mgObstacle('bar', 0, 3, -40) mgLength(160) end")
+        (level.parent.parent / "obstacles").mkdir()
+        (level.parent.parent / "obstacles" / "bar.lua").write_text(
+            "function init() mgStatic(1) mgCreateBox(mgCreateBody(3, 0, 0), 1, 0.1, 0.1) end")
+        explained = brittle("explain", "bar", "--assets", level.parent.parent, "--rooms", "1", "--json")
+        self.assertEqual(explained.returncode, 0, explained.stderr)
+        left_out = json.loads(explained.stdout)[0]["left_out"]
+        self.assertGreaterEqual(left_out["bodies passed"], 2)
 
     def test_a_script_cannot_throw_more_than_a_tick_holds(self):
         script = self.folder / "eager.lua"

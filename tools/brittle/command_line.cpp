@@ -79,7 +79,8 @@ void addPlay(CLI::App& app, Action& action) {
   command->add_option("--size", options->size, "size of the window [pixels]")->capture_default_str()->type_name("WxH");
   command->add_flag("--mute", options->mute, "without sound");
   command->footer(
-      "Touch or click: throw. P: pause. R: restart. F3: frame time. F4: settings of accuracy. Escape: leave.\n\n"
+      "Touch or click: throw. P: pause. R: restart. F3: frame time, effects, what is left out. F4: settings of "
+      "accuracy. Escape: leave.\n\n"
       "Examples:\n  brittle play\n  brittle play first --seed 7 --record game.brt\n  brittle play --accuracy phone");
   command->callback([options, &action] { action = [options] { return play(*options); }; });
 }
@@ -164,8 +165,8 @@ void addCheck(CLI::App& app, Action& action) {
 
 void addExplain(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command =
-      app.add_subcommand("explain", "which effects each room of a level calls for, who asked, and what they cost");
+  CLI::App* command = app.add_subcommand(
+      "explain", "which effects each room of a level calls for, who asked, what they cost, and what was left out");
   addGame(*command, options->game);
   command->add_option("--rooms", options->rooms, "how many rooms to pass through")
       ->capture_default_str()

@@ -179,6 +179,13 @@ TEST(Mixer, WhatDoesNotFitIntoTheQueueIsCounted) {
   take(mixer, 0.01);
   mixer.play(voiceOf(Sound::TinkleSmall));
   EXPECT_EQ(mixer.refused(), 1100u - 1023u + 1u);
+  std::vector<NamedCount> counts;
+  mixer.omissions(counts);
+  ASSERT_GE(counts.size(), 2u);
+  EXPECT_STREQ(counts[0].name, nameOf(Omission::Order));
+  EXPECT_EQ(counts[0].count, mixer.refused());
+  EXPECT_STREQ(counts[1].name, nameOf(Omission::RefusedVoice)) << "of a thousand sounds alike 64 have a voice";
+  EXPECT_EQ(counts[1].count, 1023u - kVoices);
 }
 
 TEST(Mixer, OneThreadTellsTheOtherTakes) {

@@ -120,6 +120,8 @@ TEST(Voices, WhenAllAreTakenTheQuietestGivesWay) {
   EXPECT_TRUE(voices.play(defOf(clip, 0.3f)));
   EXPECT_NEAR(take(voices, 1).back(), 63 * 0.1f + 0.3f, 1e-4f);
   EXPECT_EQ(voices.active(), kVoices);
+  EXPECT_EQ(voices.refused(), 1u);
+  EXPECT_EQ(voices.ended(), 1u);
 }
 
 TEST(Voices, QuietIsWhatWillStaySo) {

@@ -77,6 +77,16 @@ TEST(Accuracy, PresetsAreUsableAllDifferentAndBalancedIsTheDefault) {
   EXPECT_FALSE(preset("fast"));
 }
 
+TEST(Accuracy, BudgetsGrowFromPresetToPreset) {
+  std::int32_t bodies = 0, debris = 0;
+  for (const std::string_view name : presetNames()) {
+    EXPECT_GT(preset(name)->maxBodies, bodies) << name;
+    EXPECT_GT(preset(name)->maxDebris, debris) << name;
+    bodies = preset(name)->maxBodies;
+    debris = preset(name)->maxDebris;
+  }
+}
+
 TEST(Accuracy, ASnapshotWithSettingsBeyondTheirRangeIsRefused) {
   World world, other;
   for (const std::int32_t iterations : {10, 0}) {

@@ -49,6 +49,22 @@ TEST(Stack, StandsFromTheFirstTickOn) {
   }
 }
 
+// Then the usual sweeps have it alone: too few for 25, so it gives way as it would in a build without the module.
+TEST(Stack, SwitchedOffIsNotTreatedAndMayBeSwitchedOffLater) {
+  Stack on(25), off(25);
+  Accuracy accuracy = off.world.accuracy();
+  accuracy.stacks = false;
+  off.world.setAccuracy(accuracy);
+  on.step(60);
+  off.step(60);
+  EXPECT_EQ(on.world.counters().tallest, 25u);
+  EXPECT_EQ(off.world.counters().tallest, 0u);
+  EXPECT_GT((off.top().center - Stack::placeOf(24)).norm(), 10.0f * (on.top().center - Stack::placeOf(24)).norm());
+  on.world.setAccuracy(accuracy);
+  on.step(1);
+  EXPECT_EQ(on.world.counters().tallest, 0u);
+}
+
 TEST(Stack, TheFloorCarriesItsWholeWeight) {
   Stack stack(25);
   stack.step(60);

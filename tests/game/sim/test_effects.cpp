@@ -91,6 +91,26 @@ end)");
   EXPECT_EQ(again->stateHash(), game->stateHash());
 }
 
+TEST(Effects, ATallPileIsLeftToItselfWhereThatIsSwitchedOff) {
+  auto source = oneRoom("<obstacle pos=\"0 -1 -20\" type=\"pile\"/>");
+  source.add("obstacles/pile.lua", R"(
+function init()
+  mgMaterial("steel")
+  for i = 1, 12 do mgCreateBox(mgCreateBody(0, 0.2 * i - 0.1, 0), 0.2, 0.1, 0.2) end
+end)");
+  const auto on = newGame(source, defOf("test", 0, {}));
+  const auto off = newGame(source, defOf("test", 0, EffectMask().with(Effect::Stacks)));
+  EXPECT_TRUE(on->effects().runs(Effect::Stacks));
+  EXPECT_FALSE(off->effects().runs(Effect::Stacks));
+  EXPECT_NE(on->stateHash(), off->stateHash());
+  for (int ticks = 0; ticks < 2; ++ticks) {
+    off->setAccuracy(*physics::preset("balanced"));  // what is switched off stays off
+    play(*off, 5);
+    EXPECT_EQ(off->world(0)->counters().tallest, 0u);
+    EXPECT_FALSE(off->accuracy().stacks);
+  }
+}
+
 TEST(Effects, ARoomKeepsNoneThatTheNextOneDoesNotAskFor) {
   const LayeredSource source({{"levels/two.xml",
                                "<level><room type=\"loud\" length=\"100\"/><room type=\"plain\" "

@@ -140,6 +140,7 @@ TEST_F(Lake, ManyEntriesOfATickAreBounded) {
   for (int i = 0; i < 40; ++i) addBall(Vec3(0.4f * static_cast<float>(i), 0.2f, 0.0f), Vec3(0.0f, -9.0f, 0.0f));
   tick();
   EXPECT_EQ(waters_.entries(world_, lake_, 0.0f).size(), rules::kMaxSplashes);
+  EXPECT_EQ(waters_.refused(), 40u - rules::kMaxSplashes);
 }
 
 TEST_F(Lake, KeepsItsMemoryFromTickToTick) {

@@ -157,6 +157,7 @@ TEST_F(CarriedMesh, LargeOnesAreNotKeptWhenNobodySeesThem) {
     EXPECT_EQ(shownFrom(statics, one, 0.0f), 1u);
   }
   EXPECT_EQ(statics.count(), 4u);  // of 32 MB
+  EXPECT_GT(statics.dropped(), 0u);
 }
 
 }  // namespace
