@@ -18,10 +18,12 @@ TEST(Particles, StayInPlaceWhenTheOriginShifts) {
   broken.events.push_back(eventOf(sim::EventType::Break, Vec3(0.5f, 1.0f, -3.0f)));
   memory.tick(broken);
   render::Frame frame, shifted;
+  frame.camera.position = packet.camera.position;
   addParticles(packet, memory, 40.0, 40.0, anyBounds(), frame);
   addAir(packet, 40.0, frame);
   packet.originZ -= 64.0;
   packet.camera.position.z() += 64.0f;
+  shifted.camera.position = packet.camera.position;
   addParticles(packet, memory, 40.0, 40.0, anyBounds(), shifted);
   addAir(packet, 40.0, shifted);
   ASSERT_GT(frame.glows.size(), 40u);
