@@ -1,4 +1,5 @@
 // Making, unmaking and changing: World's door, where definitions are checked.
+#include "engine/effects/has/debris.h"
 #include "engine/effects/has/fracture.h"
 #include "engine/effects/has/joints.h"
 #include "engine/geometry/split.h"
@@ -184,7 +185,7 @@ void World::wake(BodyHandle body) {
 }
 
 void World::removeCrumbs(const std::function<bool(const Crumb&)>& isGone) {
-  if constexpr (kHasDebris) physics::removeCrumbs(*state_, isGone);
+  if constexpr (effects::kHasDebris) physics::removeCrumbs(*state_, isGone);
 }
 
 void World::breakBody(BodyHandle handle, const Vec3& point, const Vec3& direction, float speed, float radius) {

@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "engine/audio/mixer.h"
+#include "engine/effects/has/smoke.h"
+#include "engine/effects/has/splinters.h"
+#include "engine/effects/has/water.h"
 #include "game/view/cues.h"
 #include "game/view/hud.h"
 #include "game/view/particles.h"
@@ -40,11 +43,13 @@ Seen particlesOf(int count, const Vec3& point, std::int32_t maxDebris) {
   Seen seen;
   seen.bounds.budget = seenBudget(maxDebris);
   seen.frame.camera.position = packetAt(40).camera.position;
-  addParticles(packetAt(40), memoryOf(sim::EventType::Break, count, point), 44.0, 44.0, seen.bounds, seen.frame);
+  if constexpr (effects::kHasSplinters)
+    addParticles(packetAt(40), memoryOf(sim::EventType::Break, count, point), 44.0, 44.0, seen.bounds, seen.frame);
   return seen;
 }
 
 TEST(Omissions, EventsBehindTheCameraCostNothing) {
+  if (!effects::kHasSplinters) GTEST_SKIP();
   const Vec3 eye = packetAt(40).camera.position;
   const Seen seen = particlesOf(3, eye + Vec3(0.0f, 0.0f, 4.5f), 512);
   EXPECT_TRUE(seen.frame.glows.empty());
@@ -57,12 +62,13 @@ TEST(Omissions, EventsBehindTheCameraCostNothing) {
 
 // What the frontmost splinters of a burst do is the farthest that anything comes.
 TEST(Omissions, NothingFliesFartherThanItsEventIsKeptFor) {
+  if (!effects::kHasSplinters) GTEST_SKIP();
   const Vec3 point(0.0f, 1.0f, -3.0f);
   const Memory memory = memoryOf(sim::EventType::Break, 30, point);
   float farthest = 0.0f;
   for (int tick = 40; tick < 120; ++tick) {
     Seen seen;
-    addParticles(packetAt(40), memory, tick, tick, seen.bounds, seen.frame);
+    if constexpr (effects::kHasSplinters) addParticles(packetAt(40), memory, tick, tick, seen.bounds, seen.frame);
     for (const render::Glow& glow : seen.frame.glows)
       farthest = maxOf(farthest, std::fabs(glow.position.z() - point.z()) + glow.radius);
   }
@@ -71,6 +77,7 @@ TEST(Omissions, NothingFliesFartherThanItsEventIsKeptFor) {
 }
 
 TEST(Omissions, ParticlesKeepToTheirBudgetAndTheLatestAreKept) {
+  if (!effects::kHasSplinters) GTEST_SKIP();
   const Vec3 point(0.0f, 1.0f, -3.0f);
   const Seen all = particlesOf(40, point, 1'000'000), few = particlesOf(40, point, 16);
   const SeenBudget budget = seenBudget(16);
@@ -92,16 +99,19 @@ TEST(Omissions, BudgetsFollowTheDebrisOfThePreset) {
 }
 
 TEST(Omissions, PuffsAndRipples) {
+  if (!effects::kHasSmoke || !effects::kHasWater) GTEST_SKIP();
   Seen smoke;
   const std::size_t puffs = smoke.bounds.budget.puffs;
-  addSmoke(packetAt(40), memoryOf(sim::EventType::Smoke, 250, Vec3(0.0f, 1.0f, -3.0f)), 44.0, smoke.bounds,
-           smoke.frame);
+  if constexpr (effects::kHasSmoke)
+    addSmoke(packetAt(40), memoryOf(sim::EventType::Smoke, 250, Vec3(0.0f, 1.0f, -3.0f)), 44.0, smoke.bounds,
+             smoke.frame);
   EXPECT_EQ(smoke.frame.puffs.size(), puffs);
   EXPECT_EQ(smoke.bounds.omissions[Omission::Puff], 250u - puffs);
   Seen water;
   sim::FramePacket packet = packetAt(40);
   packet.rooms[0].waters.push_back({Vec3(0.0f, 0.0f, -4.0f), Vec2(2.0f, 2.0f), {4, 4}});
-  addWaters(packet, memoryOf(sim::EventType::Splash, 30, Vec3(0.0f, 0.0f, -3.0f)), 44.0, water.bounds, water.frame);
+  if constexpr (effects::kHasWater)
+    addWaters(packet, memoryOf(sim::EventType::Splash, 30, Vec3(0.0f, 0.0f, -3.0f)), 44.0, water.bounds, water.frame);
   EXPECT_EQ(water.bounds.omissions[Omission::Ripple], 30u - water.bounds.budget.ripples);
 }
 
