@@ -8,7 +8,7 @@ namespace brittle::physics {
 namespace {
 
 /// A box that slides over a floor into another one; `strength` [N s] of that one.
-World& slide(World& world, float strength) {
+World& slideInto(World& world, float strength) {
   addFloor(world);
   BodyDef still = bodyAt(Vec3(0.0f, 0.1f, 0.0f));
   still.breakable.strength = strength;
@@ -29,12 +29,12 @@ std::size_t contactsWithStrike(const World& world) {
 
 TEST(Need, APairThatDoesNotBreakHasNoLimit) {
   World rigid, brittle;
-  slide(rigid, 0.0f);
+  slideInto(rigid, 0.0f);
   ASSERT_GT(rigid.counters().points, 0u);
   EXPECT_TRUE(rigid.state().strikes.list.empty());
   EXPECT_TRUE(rigid.state().budgets.empty());
   EXPECT_EQ(contactsWithStrike(rigid), 0u);
-  slide(brittle, 1e6f);
+  slideInto(brittle, 1e6f);
   EXPECT_FALSE(brittle.state().strikes.list.empty());
   EXPECT_GT(contactsWithStrike(brittle), 0u);
 }
@@ -59,7 +59,7 @@ TEST(Need, WhatIsSlowIsNotSwept) {
 
 TEST(Need, WithoutJointsNobodyListsThem) {
   World world;
-  slide(world, 0.0f);
+  slideInto(world, 0.0f);
   EXPECT_TRUE(world.state().jointedBodies.empty());
   const BodyHandle hung = addBox(world, bodyAt(Vec3(0.0f, 3.0f, 0.0f)), Vec3::Constant(0.1f));
   JointDef joint;

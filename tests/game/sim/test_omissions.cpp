@@ -14,7 +14,7 @@ std::uint64_t countOf(const Game& game, Omission omission) {
   return 0;
 }
 
-content::MemorySource withObstacles(int count, const std::string& script, float length = 320.0f) {
+content::MemorySource crowdOf(int count, const std::string& script, float length = 320.0f) {
   std::string elements;
   for (int i = 0; i < count; ++i) elements += "<obstacle pos=\"3 1 -20\" type=\"tested\"/>";
   content::MemorySource source = oneRoom(elements, length);
@@ -24,37 +24,35 @@ content::MemorySource withObstacles(int count, const std::string& script, float 
 
 TEST(Omissions, WhatIsPassedAndWhatFalls) {
   const auto game =
-      newTestGame(withObstacles(1,
-                                "function init() mgMaterial('steel') mgCreateBox(mgCreateBody(9, 0, 0), .1, .1, .1)\n"
-                                "mgStatic(1) mgCreateBox(mgCreateBody(-4, 1, 0), .1, .1, .1) end"));
+      newTestGame(crowdOf(1,
+                          "function init() mgMaterial('steel') mgCreateBox(mgCreateBody(9, 0, 0), .1, .1, .1)\n"
+                          "mgStatic(1) mgCreateBox(mgCreateBody(-4, 1, 0), .1, .1, .1) end"));
   play(*game, 400);
   EXPECT_EQ(countOf(*game, Omission::Fallen), 1u);
   EXPECT_EQ(countOf(*game, Omission::BehindCamera), 1u);
 }
 
 TEST(Omissions, ObstaclesThatWaitForTheirStart) {
-  const auto game =
-      newTestGame(withObstacles(450, "function init() mgStatic(1) mgCreateBox(mgCreateBody(), 1, 1, 1) end"));
+  const auto game = newTestGame(crowdOf(450, "function init() mgStatic(1) mgCreateBox(mgCreateBody(), 1, 1, 1) end"));
   EXPECT_GT(countOf(*game, Omission::DeferredObstacle), 100u);
 }
 
 TEST(Omissions, ScriptsThatGetNoTime) {
-  const auto game = newTestGame(withObstacles(100, "function tick() for i = 1, 60000 do end end"));
+  const auto game = newTestGame(crowdOf(100, "function tick() for i = 1, 60000 do end end"));
   play(*game, 3);
   EXPECT_GT(countOf(*game, Omission::IdleScript), 0u);
 }
 
 TEST(Omissions, ObstaclesTakenOutOfACrowd) {
-  const auto game = newTestGame(withObstacles(
+  const auto game = newTestGame(crowdOf(
       8, "function init() mgMaterial('steel') for i = 1, 100 do mgCreateBox(mgCreateBody(), .3, .3, .3) end end"));
   EXPECT_GT(countOf(*game, Omission::RemovedObstacle), 0u);
 }
 
 TEST(Omissions, ThingsWithoutAPlace) {
-  const auto bodies =
-      newTestGame(withObstacles(1, "function init() mgStatic(1) for i = 1, 300 do mgCreateBody() end end"));
+  const auto bodies = newTestGame(crowdOf(1, "function init() mgStatic(1) for i = 1, 300 do mgCreateBody() end end"));
   EXPECT_EQ(countOf(*bodies, Omission::RefusedContent), 1u) << "the script stops there";
-  const auto obstacles = newTestGame(withObstacles(503, "function init() end"));
+  const auto obstacles = newTestGame(crowdOf(503, "function init() end"));
   EXPECT_EQ(countOf(*obstacles, Omission::RefusedContent), 1u) << "and the rest with it";
 }
 
