@@ -23,6 +23,7 @@ throw{tick=1003, x=0.000, y=-0.010}
 throw{tick=1047, x=0.000, y=-0.011}
 throw{tick=1082, x=0, y=0.02}
 throw{tick=1110, x=0.0, y=0.06}
+throw{tick=1118, x=0, y=0.04}
 throw{tick=1178, x=-0.333, y=-0.201}
 throw{tick=1221, x=0.331, y=-0.199}
 throw{tick=1363, x=-0.265, y=0.014}
