@@ -13,15 +13,15 @@ std::size_t share(std::int32_t maxDebris, std::size_t parts) {
 }  // namespace
 
 const char* nameOf(Omission omission) {
-  constexpr const char* names[] = {"unseen, behind", "glows",         "streaks",        "puffs of smoke",
-                                   "ripples",        "shadows",       "lamps mirrored", "meshes unbaked",
-                                   "quiet sounds",   "covered sounds"};
+  constexpr const char* names[] = {
+      "seen things behind", "glows",          "streaks",      "puffs of smoke", "ripples", "shadows",
+      "lamps mirrored",     "meshes unbaked", "quiet sounds", "covered sounds"};
   return names[static_cast<int>(omission)];
 }
 
 SeenBudget seenBudget(std::int32_t maxDebris) {
   return {share(maxDebris, 256), share(maxDebris, 128), share(maxDebris, 25), share(maxDebris, 3),
-          share(maxDebris, 32)};
+          share(maxDebris, 64)};
 }
 
 void keepWithin(render::Frame& frame, Bounds& bounds) {
