@@ -131,9 +131,10 @@ void classify(State& state, Strike& strike, float dt) {
   strike.limit = strike.body == strike.striker ? strike.capacity : minOf(strike.capacity, strike.impulse + closing);
   bool waits = false;
   const bool paid = spent >= strength * (1.0f - 1e-6f);
+  const bool mayPass = paid && state.bodies[strike.body].isDynamic();  // glass does not pass through what cannot move
   for (std::uint32_t i = 0; i < strike.contactCount; ++i) {
     Contact& contact = state.contacts.at(state.strikes.contacts[strike.firstContact + i]);
-    contact.passable = paid;
+    contact.passable = mayPass;
     waits = waits || contact.waits;
   }
   strike.mayBreak = state.bodies[strike.struck].brokenTick != state.tick;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
 
 namespace brittle::physics {
@@ -69,6 +70,47 @@ TEST(Sweep, WhatIsPressedStaysOnItsSide) {
       world.step(kTick);
       for (std::size_t i = 0; i < boxes.size(); ++i)
         ASSERT_GT(world.body(boxes[i]).center.y(), 0.0f) << "box " << i << " at " << speed << " m/s, tick " << tick;
+    }
+  }
+}
+
+/// The lowest corner of all that moves. [m]
+float lowestCorner(const World& world) {
+  float lowest = 1.0f;
+  const State& state = world.state();
+  state.shapes.forEach([&](ShapeHandle, const Shape& shape) {
+    const Body& body = state.bodyOf(shape);
+    if (shape.isSphere() || !body.isDynamic()) return;
+    for (const geometry::Vertex& vertex : state.meshes.view(shape.mesh).vertices)
+      lowest = minOf(lowest, body.pose.toWorld(vertex.point).y());
+  });
+  return lowest;
+}
+
+// What is left of a pane has paid its strength to the floor when it broke there, and presses on: it may break again in
+// the next tick, but it does not go through.
+TEST(Sweep, WhatBreaksOnTheFloorStaysAboveIt) {
+  const float halfThickness = 0.015f;
+  for (const int substeps : {1, 2, 4, 8, 16}) {
+    for (const float tilt : {0.0f, 0.1f}) {
+      WorldDef def;
+      def.accuracy.substeps = substeps;
+      def.accuracy.patternDensity = 0.3f;
+      World world(def);
+      addFloor(world);
+      BodyDef pane = bodyAt(Vec3(0.0f, 0.8f, 0.0f));
+      pane.pose.rotation = integrateRotation(Quat::Identity(), Vec3(0.3f * tilt, 0.0f, tilt), 1.0f);
+      pane.velocity = Vec3(0.0f, -8.0f, 0.0f);
+      pane.breakable.strength = 10.0f;
+      addBox(world, pane, Vec3(0.5f, 0.7f, halfThickness), shapeDef(2500.0f));
+      std::uint32_t breaks = 0;
+      for (int tick = 0; tick < 12; ++tick) {
+        world.step(kTick);
+        breaks += world.counters().breaks;
+        ASSERT_GT(lowestCorner(world), -2.0f * halfThickness)
+            << substeps << " sub-steps, tilted by " << tilt << ", tick " << tick;
+      }
+      EXPECT_GT(breaks, 1u) << substeps << " sub-steps, tilted by " << tilt;
     }
   }
 }
