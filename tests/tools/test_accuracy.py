@@ -16,7 +16,7 @@ PROGRAM = Path(sys.argv[1])
 ROUNDS = ["1", "2", "3", "5", "unbounded"]
 DEFAULT = "3 to 8"  # rounds, more than three only where something is fast
 SEEN = 1.1  # an error that grows by less than this factor has not grown: shards differ from break to break
-PLOTS = ["budget", "front", "headline", "knobs", "lag", "map", "phases", "rounds", "splitters"]
+PLOTS = ["budget", "front", "headline", "knobs", "lag", "map", "phases", "rounds", "splitters", "threshold"]
 
 
 def accuracy(*arguments, **options):
@@ -28,7 +28,7 @@ class Quick(unittest.TestCase):
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.scratch.name)
-        result = accuracy("--quick", "--out", cls.folder)
+        result = accuracy("--quick", "--instructions", "--out", cls.folder)
         assert result.returncode == 0, result.stdout + result.stderr
 
     @classmethod
@@ -114,6 +114,30 @@ class Quick(unittest.TestCase):
         for naive in ("naive float", "naive double"):
             self.assertGreater(failures[naive], 0, naive)
 
+    def test_the_strength_is_an_edge_inside_the_step_and_none_after_it(self):
+        rows = self.rows("threshold")
+        self.assertEqual({row["beside"] for row in rows}, {"1", "0.1", "1e-06"})
+        for row in rows:
+            wrong = float(row["false_breaks_per_1e4"]), float(row["missed_breaks_per_1e4"])
+            self.assertEqual(wrong[0], 0.0, row)
+            if row["how"] in ("after", "after capped", "blended", "restored"):
+                self.assertGreater(wrong[1], 1000.0, row)
+            else:
+                self.assertEqual(wrong[1], 0.0, row)
+
+    def test_floats_cost_less_than_a_thousandth_of_a_percent(self):
+        rows = self.rows("float")
+        self.assertEqual(len(rows), 5)
+        for row in rows:
+            self.assertLess(float(row["worst_relative_error"]), 1e-5, row)
+
+    def test_instructions_were_counted_setting_by_setting(self):
+        counted = {(row["knob"], row["value"]): float(row["instructions_per_s"]) for row in self.rows("settings")}
+        for setting, count in counted.items():
+            self.assertGreater(count, 1e7, setting)
+        self.assertEqual(counted[("iterations", "10")], counted[("preset", "balanced")], "the same settings")
+        self.assertGreater(counted[("substeps", "4")], 1.5 * counted[("substeps", "1")])
+
     def test_better_presets_are_better(self):
         presets = [row["value"] for row in self.rows("settings") if row["knob"] == "preset"]
         self.assertEqual(presets, ["phone", "balanced", "accurate", "reference"])
@@ -158,6 +182,18 @@ class Refusals(unittest.TestCase):
     def test_scenes_and_presets_that_are_none(self):
         self.refused("--scene", "sea", says="--scene sea: expected one of panes grazes stack")
         self.refused("--scene", "panes", "--accuracy", "fast", says="--accuracy fast: expected one of phone balanced")
+        self.refused("--scene", "panes", "--accuracy", "iterations 17", says="or a knob and its value, as 'iterations 16'")
+
+    def test_a_setting_by_its_row_in_the_tables(self):
+        result = accuracy("--scene", "swing", "--accuracy", "iterations 16")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stdout.startswith("swing, iterations 16: 240 ticks"), result.stdout)
+
+    def test_a_missing_valgrind_is_named_before_the_work(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink("/bin/sh", folder + "/sh")
+            self.refused("--quick", "--no-plots", "--instructions", "--out", folder + "/out",
+                         says="valgrind is missing: apt-get install valgrind", env=dict(os.environ, PATH=folder))
 
 
 if __name__ == "__main__":

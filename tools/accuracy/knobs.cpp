@@ -115,6 +115,12 @@ std::vector<Setting> knobSettings(bool quick) {
   return list.take();
 }
 
+std::vector<Setting> fractureModes() {
+  List list;
+  addModes(list);
+  return list.take();
+}
+
 std::vector<Setting> gridSettings(bool quick) {
   List list;
   if (quick) return list.take();

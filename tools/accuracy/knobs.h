@@ -19,6 +19,8 @@ struct Setting {
 
 /// Knob by knob, each with the default among its values. `quick`: the few that the directions are tested by.
 std::vector<Setting> knobSettings(bool quick);
+/// When glass breaks, alone.
+std::vector<Setting> fractureModes();
 /// Iterations by sub-steps.
 std::vector<Setting> gridSettings(bool quick);
 /// The presets of engine/physics/accuracy.h by name.

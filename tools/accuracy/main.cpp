@@ -1,4 +1,5 @@
-// accuracy [--quick] [--out DIR]: what each step of accuracy buys, and what it costs: tables, a report and plots.
+// accuracy [--quick] [--instructions] [--out DIR]: what each step of accuracy buys, and what it costs: tables, a report
+// and plots.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -6,9 +7,11 @@
 #include <system_error>
 
 #include "engine/core/file.h"
+#include "tools/accuracy/instructions.h"
 #include "tools/accuracy/outcome.h"
 #include "tools/bench/cpu_time.h"
 #include "tools/brittle/progress.h"
+#include "tools/effects_cost/callgrind.h"
 
 namespace {
 
@@ -18,9 +21,9 @@ using namespace brittle::accuracy;
 constexpr int kWrongInput = 2;
 
 struct Options {
-  bool quick = false, noPlots = false, onlyPlots = false;
+  bool quick = false, instructions = false, noPlots = false, onlyPlots = false;
   std::string out = "build/accuracy";
-  std::string scene, preset = "balanced";
+  std::string scene, setting = "balanced";
   int variant = 0;
 };
 
@@ -47,9 +50,11 @@ Result<Outcome> measure(const Options& options) {
   outcome.modes = modeRows(effort);
   outcome.claim = claimRows(effort);
   outcome.map = mapRows(effort);
+  outcome.thresholds = thresholdRows(effort);
   const int scenes = static_cast<int>(allScenes().size());
   const int steps = stepsOf(settings, effort) + 3 * scenes + phasesOf(outcome.modes) + phasesOf(outcome.claim) +
-                    phasesOf(outcome.map) + kPhaseRows + kSplitterRows;
+                    phasesOf(outcome.map) + static_cast<int>(outcome.thresholds.size()) + kPhaseRows + kSplitterRows +
+                    static_cast<int>(options.instructions ? settings.size() : 0);
   program::Progress progress("measuring", static_cast<std::uint32_t>(steps));
   std::uint32_t done = 0;
   const Advance advance = [&] { progress.reached(++done); };
@@ -57,6 +62,8 @@ Result<Outcome> measure(const Options& options) {
   outcome.splitters = compareSplitters(effort, advance);
   outcome.phases = measurePhases(effort, advance);
   for (std::vector<PanesRow>* rows : {&outcome.modes, &outcome.claim, &outcome.map}) playRows(*rows, advance);
+  outcome.floats = measureFloat(options.quick);
+  playThreshold(outcome.thresholds, advance);
   const Reference reference = playAll(referenceAccuracy(options.quick ? 4 : 1), effort, advance);
   for (const int fineness : options.quick ? std::vector<int>{} : std::vector<int>{4, 2})
     outcome.convergence.push_back(
@@ -64,6 +71,9 @@ Result<Outcome> measure(const Options& options) {
   Result<std::vector<Scored>> scored = study(settings, reference, **room, effort, advance);
   if (!scored) return scored.error();
   outcome.scored = std::move(*scored);
+  outcome.countsInstructions = options.instructions;
+  if (options.instructions)
+    if (const Status counted = countInstructions(outcome.scored, advance); !counted) return counted.error();
   outcome.minutes = (cpuMilliseconds() - start) / 60'000.0;
   return outcome;
 }
@@ -71,6 +81,8 @@ Result<Outcome> measure(const Options& options) {
 Status prepare(const Options& options) {
   if (!options.noPlots)
     if (const Status there = checkPlotting(); !there) return there;
+  if (options.instructions)
+    if (const Status there = effects_cost::checkCounting(); !there) return there;
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) return Error{"--out " + options.out + ": cannot be made: " + problem.message()};
@@ -92,23 +104,32 @@ int run(const Options& options) {
   return 0;
 }
 
-/// One scene once, without a look between its ticks: for a profiler.
-int playOne(const Options& options) {
-  const Scene* scene = findScene(options.scene);
-  const std::optional<physics::Accuracy> accuracy = physics::preset(options.preset);
-  if (scene == nullptr || !accuracy) {
-    std::string names;
-    if (scene == nullptr)
-      for (const Scene& one : allScenes()) names += " " + std::string(one.name);
-    else
-      for (const std::string_view name : physics::presetNames()) names += " " + std::string(name);
-    return refuse({(scene == nullptr ? "--scene " + options.scene : "--accuracy " + options.preset) +
-                   ": expected one of" + names});
+Result<physics::Accuracy> accuracyNamed(const std::string& name) {
+  std::string names;
+  for (const Setting& setting : allSettings(false)) {
+    if (nameOf(setting) == name) return setting.accuracy;
+    if (setting.knob == "preset") names += " " + setting.value;
   }
-  const Observation seen = timeOf(*scene, *accuracy, options.variant);
+  return Error{"--accuracy " + name + ": expected one of" + names + ", or a knob and its value, as 'iterations 16'"};
+}
+
+Result<const Scene*> sceneNamed(const std::string& name) {
+  if (const Scene* scene = findScene(name)) return scene;
+  std::string names;
+  for (const Scene& one : allScenes()) names += " " + std::string(one.name);
+  return Error{"--scene " + name + ": expected one of" + names};
+}
+
+/// One scene once, without a look between its ticks: for a profiler, and for countInstructions.
+int playOne(const Options& options) {
+  const Result<const Scene*> scene = sceneNamed(options.scene);
+  if (!scene) return refuse(scene.error());
+  const Result<physics::Accuracy> accuracy = accuracyNamed(options.setting);
+  if (!accuracy) return refuse(accuracy.error());
+  const Observation seen = timeOf(**scene, *accuracy, options.variant);
   double spent = 0.0;
   for (const double ms : seen.tickMs) spent += ms;
-  std::printf("%s, %s: %zu ticks, %.2f ms, state %016llx\n", options.scene.c_str(), options.preset.c_str(),
+  std::printf("%s, %s: %zu ticks, %.2f ms, state %016llx\n", options.scene.c_str(), options.setting.c_str(),
               seen.tickMs.size(), spent, static_cast<unsigned long long>(seen.hash));
   return 0;
 }
@@ -122,16 +143,22 @@ int main(int argc, char** argv) {
   app.add_option("--out", options.out, "folder for tables (CSV), report.md and plots (SVG, PNG)")
       ->capture_default_str()
       ->type_name("DIR");
+  app.add_flag("--instructions", options.instructions,
+               "count instructions as well, under callgrind: a few minutes more, needs valgrind");
   auto* noPlots = app.add_flag("--no-plots", options.noPlots, "tables and report alone: needs no gnuplot");
   app.add_flag("--only-plots", options.onlyPlots, "draw the plots again from the tables in DIR")->excludes(noPlots);
   app.add_option("--scene", options.scene, "play one scene once and measure nothing else, for a profiler")
       ->type_name("NAME");
-  app.add_option("--accuracy", options.preset, "preset for --scene")->capture_default_str()->type_name("PRESET");
+  app.add_option("--accuracy", options.setting,
+                 "for --scene: a preset, or a knob and its value as the tables have them")
+      ->capture_default_str()
+      ->type_name("SETTING");
   app.add_option("--variant", options.variant, "start phase or seed for --scene")
       ->capture_default_str()
       ->check(CLI::Range(0, 255));
   app.footer(
-      "Examples:\n  accuracy --quick --out build/accuracy\n  accuracy --out tools/accuracy/measured\n"
+      "Examples:\n  accuracy --quick --out build/accuracy\n  accuracy --instructions --out tools/accuracy/measured\n"
+      "  accuracy --scene shatter --accuracy 'iterations 16'\n"
       "  valgrind --tool=callgrind --toggle-collect='brittle::physics::World::step(float)' accuracy --scene shatter");
   CLI11_PARSE(app, argc, argv);
   return options.scene.empty() ? run(options) : playOne(options);

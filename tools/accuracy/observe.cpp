@@ -7,7 +7,6 @@
 
 #include "engine/physics/state.h"
 #include "tests/engine/physics/scene.h"
-#include "tools/accuracy/cost.h"
 #include "tools/bench/cpu_time.h"
 
 namespace brittle::accuracy {
@@ -23,20 +22,12 @@ int ticksOf(float seconds) {
   return static_cast<int>(std::ceil(seconds / kTick));
 }
 
-/// Steps a world and says what that cost.
-class Clock {
- public:
-  void step(World& world, Observation& seen) {
-    const std::uint64_t countedBefore = counter_.now();
-    const double before = cpuMilliseconds();
-    world.step(kTick);
-    seen.tickMs.push_back(cpuMilliseconds() - before);
-    seen.instructions += counter_.now() - countedBefore;
-  }
-
- private:
-  InstructionCounter counter_;
-};
+/// Steps a world and notes what that cost.
+void stepTimed(World& world, Observation& seen) {
+  const double before = cpuMilliseconds();
+  world.step(kTick);
+  seen.tickMs.push_back(cpuMilliseconds() - before);
+}
 
 /// All glass and steel there is, debris included. [m3]
 double volumeOf(const World& world) {
@@ -166,10 +157,9 @@ class Observer {
 
 Observation play(World& world, const Stage& stage, bool gravity) {
   Observer observer(world, stage, gravity);
-  Clock clock;
   const int ticks = ticksOf(stage.seconds);
   for (int tick = 1; tick <= ticks; ++tick) {
-    clock.step(world, observer.seen());
+    stepTimed(world, observer.seen());
     observer.look(static_cast<double>(tick) * static_cast<double>(kTick));
   }
   return observer.finish(static_cast<double>(ticks) * static_cast<double>(kTick));
@@ -196,8 +186,7 @@ Observation timeOf(const Scene& scene, const physics::Accuracy& accuracy, int va
   const std::unique_ptr<World> world = makeWorld(scene, accuracy, variant);
   const Stage stage = scene.build(*world, variant);
   Observation seen;
-  Clock clock;
-  for (int tick = 0; tick < ticksOf(stage.seconds); ++tick) clock.step(*world, seen);
+  for (int tick = 0; tick < ticksOf(stage.seconds); ++tick) stepTimed(*world, seen);
   seen.hash = world->stateHash();
   return seen;
 }

@@ -30,15 +30,14 @@ struct Observation {
   double escaped = 0.0;        // bodies more than 0.5 m below y = -1 with gravity
   std::vector<float> speeds;   // of all dynamic bodies but the watched one at the end [m/s]
   std::vector<double> tickMs;  // processor time of each tick [ms]
-  std::uint64_t instructions = 0;  // of all ticks; 0: not counted here
-  std::uint64_t hash = 0;          // state at the end
+  std::uint64_t hash = 0;      // state at the end
 };
 
 /// Looks at the world after every tick.
 Observation observe(const Scene& scene, const physics::Accuracy& accuracy, int variant);
 /// The same of panes that are no variant of a scene.
 Observation observePanes(const PanesDef& def, const physics::Accuracy& accuracy);
-/// Only steps, and fills in tickMs, instructions and hash.
+/// Only steps, and fills in tickMs and hash.
 Observation timeOf(const Scene& scene, const physics::Accuracy& accuracy, int variant);
 
 }  // namespace brittle::accuracy

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "tools/accuracy/float_study.h"
 #include "tools/accuracy/panes_study.h"
 #include "tools/accuracy/phases.h"
 #include "tools/accuracy/splitters.h"
+#include "tools/accuracy/threshold_study.h"
 
 namespace brittle::accuracy {
 
@@ -24,12 +26,14 @@ struct BudgetRow {
 };
 
 struct Outcome {
-  bool quick = false;
+  bool quick = false, countsInstructions = false;
   std::vector<Scored> scored;  // knobs, grid, presets
   std::vector<Convergence> convergence;
   std::vector<PanesRow> modes, claim, map;
+  std::vector<ThresholdRow> thresholds;
   std::vector<PhaseRow> phases;
   std::vector<SplitterRow> splitters;
+  std::vector<FloatRow> floats;
   std::vector<BudgetRow> budgets;
   double minutes = 0.0;  // of processor time
 };
@@ -37,7 +41,8 @@ struct Outcome {
 /// For 0.5, 1, 2, 4 and 8 ms a tick: 99 of 100 ticks of the room keep it.
 std::vector<BudgetRow> budgetsOf(const std::vector<Scored>& scored);
 
-/// figures.csv, settings.csv, panes.csv, map.csv, phases.csv, splitters.csv and budget.csv in `folder`.
+/// figures.csv, settings.csv, panes.csv, map.csv, threshold.csv, phases.csv, splitters.csv, float.csv and budget.csv in
+/// `folder`.
 Status writeTables(const Outcome& outcome, const std::string& folder);
 /// report.md, which shows the plots.
 Status writeReport(const Outcome& outcome, const std::string& folder);

@@ -23,13 +23,6 @@ void addRow(std::vector<PanesRow>& rows, const Setting& setting, int panes, floa
   rows.push_back(row);
 }
 
-/// The fracture modes among the knobs.
-std::vector<Setting> modes() {
-  std::vector<Setting> settings = knobSettings(true);
-  std::erase_if(settings, [](const Setting& one) { return one.knob != "fracture"; });
-  return settings;
-}
-
 struct Tally {
   double sum = 0.0, spent = 0.0, seconds = 0.0;
   std::vector<double> ticks;
@@ -58,7 +51,7 @@ void playPhase(PanesRow& row, int phase, Tally& tally) {
 std::vector<PanesRow> modeRows(const Effort& effort) {
   std::vector<PanesRow> rows;
   const std::vector<int> counts = effort.quick ? std::vector<int>{1, 6} : std::vector<int>{1, 6, 16};
-  for (const Setting& setting : modes())
+  for (const Setting& setting : fractureModes())
     for (const int panes : counts)
       for (const float speed : kSpeeds) {
         if (effort.quick && speed != 20.0f && speed != 100.0f) continue;
@@ -78,7 +71,7 @@ std::vector<PanesRow> claimRows(const Effort& effort) {
 
 std::vector<PanesRow> mapRows(const Effort& effort) {
   std::vector<PanesRow> rows;
-  for (Setting setting : modes()) {
+  for (Setting setting : fractureModes()) {
     if (setting.accuracy.fractureMode != physics::FractureMode::InStep) continue;
     for (const int substeps : {1, 2, 4, 8}) {
       if (effort.quick && substeps > 2) continue;

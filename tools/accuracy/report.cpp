@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "engine/core/file.h"
-#include "tools/accuracy/cost.h"
 #include "tools/accuracy/csv.h"
+#include "tools/accuracy/instructions.h"
 #include "tools/accuracy/outcome.h"
 
 namespace brittle::accuracy {
@@ -26,7 +27,7 @@ std::string picture(const std::string& name, const std::string& what) {
 /// A Markdown table, row by row.
 class Table {
  public:
-  explicit Table(std::initializer_list<std::string> heads) {
+  explicit Table(const std::vector<std::string>& heads) {
     line(heads);
     text_ += "|";
     for (std::size_t i = 0; i < heads.size(); ++i) text_ += " --- |";
@@ -51,15 +52,13 @@ std::string withBounds(const Deviation& error) {
 }
 
 std::string machine(const Outcome& outcome) {
-  const InstructionCounter counter;
   return "Measured on: " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
          " cores; compiler " + __VERSION__ + ", " + BRITTLE_FLAGS + "; " + (outcome.quick ? "quick" : "full") +
          " run, " + shortly(outcome.minutes) + " minutes of processor time, " +
          std::to_string(Effort{outcome.quick}.repeats()) + " interleaved repeats. " +
-         (counter.isThere()
-              ? "Instructions were counted by the processor.\n\n"
-              : "This machine counts no instructions for its programs (perf_event_open is refused), so "
-                "there is processor time alone; `valgrind --tool=callgrind` with `--scene` counts them.\n\n");
+         (outcome.countsInstructions ? "Instructions are those of World::step in the scene " +
+                                           std::string(kCountedScene) + ", counted by callgrind.\n\n"
+                                     : "Instructions were not counted (--instructions does).\n\n");
 }
 
 /// The worst of the rows that pass a test, of a figure.
@@ -117,6 +116,30 @@ std::string mended(const Outcome& outcome) {
   return text + table.text();
 }
 
+/// Rows: how; columns: how far beside the edge.
+std::string threshold(const Outcome& outcome) {
+  std::string text =
+      "## The threshold is an edge\n\nOf 10,000 balls whose momentum is J / (1 + x) - the pane must hold - and of as "
+      "many "
+      "with J (1 + x) - it must break: those that got the wrong answer, false breaks and missed ones. Balls of 0.2 to "
+      "2 "
+      "kg, anywhere on the pane and within the tick, that bounce or do not; " +
+      std::to_string(outcome.thresholds.empty() ? 0 : outcome.thresholds[0].throws) + " throws for each number.\n\n";
+  std::vector<std::string> heads = {"how"};
+  for (const ThresholdRow& row : outcome.thresholds)
+    if (row.how == outcome.thresholds[0].how) heads.push_back("x = " + shortly(row.beside));
+  Table table(heads);
+  std::vector<std::string> cells;
+  for (const ThresholdRow& row : outcome.thresholds) {
+    if (cells.empty()) cells.push_back(row.how);
+    cells.push_back(shortly(row.falseBreaks) + ", " + shortly(row.missedBreaks));
+    if (cells.size() < heads.size()) continue;
+    table.line(cells);
+    cells.clear();
+  }
+  return text + table.text() + picture("threshold", "Wrong answers against the distance from the edge");
+}
+
 std::string convergence(const Outcome& outcome) {
   if (outcome.convergence.empty())
     return "The reference of a quick run has 4 sub-steps; a full run shows that it converges.\n\n";
@@ -142,12 +165,13 @@ std::string convergence(const Outcome& outcome) {
 
 std::string scoredTable(const std::vector<Scored>& scored, bool (*isWanted)(const Scored&)) {
   Table table({"knob", "value", "score", "ms per simulated s", "least to most", "p99 tick [ms]",
-               "room: median, p99 [ms]", "front"});
+               "room: median, p99 [ms]", "million instructions per s", "front"});
   for (const Scored& one : scored)
     if (isWanted(one))
       table.line({one.setting.knob, one.setting.value + (one.setting.isDefault ? " (default)" : ""), shortly(one.score),
                   shortly(one.cost.perSecond), shortly(one.cost.low) + " to " + shortly(one.cost.high),
                   shortly(one.cost.p99Tick), shortly(one.cost.roomMedian) + ", " + shortly(one.cost.roomP99),
+                  one.cost.instructions == 0.0 ? "-" : shortly(1e-6 * one.cost.instructions, 4),
                   one.isFront ? "yes" : ""});
   return table.text();
 }
@@ -201,6 +225,20 @@ std::string splitters(const Outcome& outcome) {
   return text + table.text() + picture("splitters", "Failures per million against splits per second");
 }
 
+std::string floats(const Outcome& outcome) {
+  std::string text =
+      "## What float costs\n\nThe engine is built on floats throughout and cannot be built on doubles: its numbers, "
+      "its "
+      "SIMD lanes and the vertices it shares with the renderer are floats by name. What that costs in error can be had "
+      "where the exact result is known in double precision and nothing but rounding is left: worst relative error, and "
+      "the same in units of float's epsilon, 1.19e-07.\n\n";
+  Table table({"what", "variants", "worst relative error", "in epsilons"});
+  for (const FloatRow& row : outcome.floats)
+    table.line({row.what, std::to_string(row.variants), shortly(row.worst),
+                shortly(row.worst / static_cast<double>(std::numeric_limits<float>::epsilon()))});
+  return text + table.text();
+}
+
 std::string knobs(const Outcome& outcome) {
   return "## Knob by knob\n\nThe score is the root mean square of all errors, each in units of what counts as 1 (the "
          "table "
@@ -242,8 +280,9 @@ Status writeReport(const Outcome& outcome, const std::string& folder) {
       machine(outcome) + picture("headline", "Where glass breaks decides the exit speed") + claim(outcome) +
       picture("rounds", "Exit-speed error against rounds") +
       picture("lag", "What few rounds cost: lag and shard push") + mended(outcome) +
-      picture("map", "Rounds by sub-steps") + picture("phases", "What a breaking step consists of") + presets(outcome) +
-      budgets(outcome) + knobs(outcome) + defaultErrors(outcome) + splitters(outcome) + convergence(outcome) + scenes();
+      picture("map", "Rounds by sub-steps") + threshold(outcome) +
+      picture("phases", "What a breaking step consists of") + presets(outcome) + budgets(outcome) + knobs(outcome) +
+      defaultErrors(outcome) + floats(outcome) + splitters(outcome) + convergence(outcome) + scenes();
   return writeFile(folder + "/report.md", {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 

@@ -50,6 +50,7 @@ struct PanesDef {
   float speed = 20.0f;    // [m/s]
   float phase = 0.0f;     // of the gap to the first pane within a tick's way [-], 0 to 1
   float spacing = 0.05f;  // [m]
+  float density = 2.0f;   // of the glass [kg/m3]; less for many panes
 };
 inline constexpr float kPaneStrength = 1.9f;  // [N s]
 inline constexpr float kBallMass = 1.0f;      // [kg]

@@ -61,7 +61,7 @@ class ExactFlight {
 }  // namespace
 
 Stage buildPanes(World& world, const PanesDef& def) {
-  const float density = minOf(2.0f, 8.0f / static_cast<float>(def.panes));
+  const float density = minOf(def.density, 8.0f / static_cast<float>(def.panes));
   for (int i = 0; i < def.panes; ++i) {
     physics::BodyDef pane =
         physics::bodyAt(Vec3(0.0f, 0.0f, -def.spacing * static_cast<float>(i)), physics::BodyType::Static);

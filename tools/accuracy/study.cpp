@@ -16,7 +16,6 @@ struct Taken {
   std::vector<double> perSecond;            // of each repeat [ms/s]
   std::vector<std::vector<double>> scenes;  // by scene, of each repeat
   std::vector<double> ticks;                // all [ms]
-  std::vector<double> instructions;         // of each repeat [1/s]
   std::vector<double> roomTicks;            // all [ms]
   double roomBreaks = 0.0;
 };
@@ -24,23 +23,20 @@ struct Taken {
 void timeOnce(const Setting& setting, const Effort& effort, Taken& taken) {
   const auto scenes = allScenes();
   taken.scenes.resize(scenes.size());
-  double rates = 0.0, instructions = 0.0;
+  double rates = 0.0;
   for (std::size_t s = 0; s < scenes.size(); ++s) {
-    double spent = 0.0, seconds = 0.0, counted = 0.0;
+    double spent = 0.0, seconds = 0.0;
     for (int variant = 0; variant < effort.timed(scenes[s]); ++variant) {
       const Observation seen = timeOf(scenes[s], setting.accuracy, variant);
       spent += sumOf(seen.tickMs);
       seconds += static_cast<double>(kTick) * static_cast<double>(seen.tickMs.size());
-      counted += static_cast<double>(seen.instructions);
       taken.ticks.insert(taken.ticks.end(), seen.tickMs.begin(), seen.tickMs.end());
     }
     if (seconds == 0.0) continue;
     taken.scenes[s].push_back(spent / seconds);
     rates += spent / seconds;
-    instructions += counted / seconds;
   }
   taken.perSecond.push_back(rates / static_cast<double>(scenes.size()));
-  taken.instructions.push_back(instructions / static_cast<double>(scenes.size()));
 }
 
 Status playRoom(const Setting& setting, const Room& room, Taken& taken) {
@@ -58,7 +54,6 @@ Cost costOf(const Taken& taken) {
   cost.high = quantileOf(taken.perSecond, 1.0);
   cost.medianTick = quantileOf(taken.ticks, 0.5);
   cost.p99Tick = quantileOf(taken.ticks, 0.99);
-  cost.instructions = quantileOf(taken.instructions, 0.5);
   cost.roomMedian = quantileOf(taken.roomTicks, 0.5);
   cost.roomP99 = quantileOf(taken.roomTicks, 0.99);
   cost.roomBreaks = taken.roomBreaks;

@@ -25,7 +25,7 @@ struct Effort {
 struct Cost {
   double perSecond = 0.0, low = 0.0, high = 0.0;  // [ms/s], mean of the scenes
   double medianTick = 0.0, p99Tick = 0.0;         // over the ticks of all scenes [ms]
-  double instructions = 0.0;                      // per simulated second [1/s]; 0: not counted on this machine
+  double instructions = 0.0;                      // per simulated second of one scene [1/s]; 0: not counted
   std::vector<double> scenes;                     // per simulated second of each scene, median of the repeats [ms/s]
   double roomMedian = 0.0, roomP99 = 0.0;         // of whole ticks of the game in the room [ms]
   double roomBreaks = 0.0;

@@ -1,3 +1,4 @@
+#include <limits>
 #include <string>
 
 #include "tools/accuracy/csv.h"
@@ -39,6 +40,13 @@ Csv panesOf(const std::vector<PanesRow>& rows) {
   return csv;
 }
 
+Csv thresholdOf(const std::vector<ThresholdRow>& rows) {
+  Csv csv({"how", "beside", "throws", "false_breaks_per_1e4", "missed_breaks_per_1e4"});
+  for (const ThresholdRow& row : rows)
+    csv.row() << row.how << row.beside << double(row.throws) << row.falseBreaks << row.missedBreaks;
+  return csv;
+}
+
 Csv phasesOf(const std::vector<PhaseRow>& rows) {
   std::vector<std::string> columns = {"rounds", "ticks"};
   for (const char* name : kPhaseNames) columns.emplace_back(name);
@@ -56,6 +64,14 @@ Csv splittersOf(const std::vector<SplitterRow>& rows) {
   for (const SplitterRow& row : rows)
     csv.row() << row.splitter << row.cuts << row.attempts << row.splits << row.failures << row.failuresPerMillion
               << row.splitsPerSecond << row.volumeError;
+  return csv;
+}
+
+Csv floatOf(const std::vector<FloatRow>& rows) {
+  Csv csv({"what", "worst_relative_error", "epsilons", "variants"});
+  for (const FloatRow& row : rows)
+    csv.row() << row.what << row.worst << row.worst / double(std::numeric_limits<float>::epsilon())
+              << double(row.variants);
   return csv;
 }
 
@@ -90,8 +106,10 @@ Status writeTables(const Outcome& outcome, const std::string& folder) {
       {"figures", figuresOf(outcome)},
       {"panes", panesOf(panes)},
       {"map", panesOf(outcome.map)},
+      {"threshold", thresholdOf(outcome.thresholds)},
       {"phases", phasesOf(outcome.phases)},
       {"splitters", splittersOf(outcome.splitters)},
+      {"float", floatOf(outcome.floats)},
       {"budget", budgetOf(outcome.budgets)},
   };
   for (const auto& [name, csv] : tables) {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "tools/effects_cost/callgrind.h"
 #include "tools/effects_cost/shell.h"
 
 namespace brittle::effects_cost {
@@ -58,13 +59,10 @@ Result<double> bytesPerBodyOf(const std::string& program, int ticks) {
 }
 
 Result<Plain> plainOf(const std::string& program, int ticks) {
-  const Result<std::string> counted =
-      outputOf({"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
-                "--toggle-collect=brittle::probe::playTick*", program, "plain", "--ticks", std::to_string(ticks)});
-  if (!counted) return Error{counted.error().message + " (apt-get install valgrind)"};
+  const Result<double> instructions =
+      instructionsOf("brittle::probe::playTick*", {program, "plain", "--ticks", std::to_string(ticks)});
   Plain plain;
-  const Result<double> instructions = numberAfter(*counted, "Collected :"), perBody = bytesPerBodyOf(program, ticks),
-                       size = programBytesOf(program);
+  const Result<double> perBody = bytesPerBodyOf(program, ticks), size = programBytesOf(program);
   for (const Result<double>* found : {&instructions, &perBody, &size})
     if (!*found) return found->error();
   plain.instructions = *instructions;
