@@ -7,8 +7,10 @@ namespace {
 
 // Each solve is held to the impulses it starts from by this part of the diagonal. Four points under one face are
 // redundant, and rows in single precision make their matrix indefinite by 1e-7 of it; what this leaves undone the next
-// sweep does.
+// sweep does. Beside a row that gives way a hundred times as easily, the rounding of that one counts: its part of the
+// largest diagonal, ten times what floats round by.
 constexpr double kSoftness = 1e-5;
+constexpr double kRounding = 1e-6;
 constexpr double kClosing = 1e-6;  // [m/s] slower is rounding
 constexpr int kPatience = 3;       // exchanges that do not help before it goes on row by row
 constexpr int kMaxSteps = 64;
@@ -63,14 +65,9 @@ bool isSolved(const Single* singles, const std::vector<SolverBody>& bodies, Bloc
   return solved;
 }
 
-/// What holds a row to the impulse it starts from. [m/s] per N s
-double softness(const Block& block, int i) {
-  return kSoftness * block.matrix[i][i];
-}
-
 void start(Block& block) {
   for (int i = 0; i < block.count; ++i) {
-    block.free[i] = block.speed[i] - softness(block, i) * block.rows[i].start;
+    block.free[i] = block.speed[i] - block.softness[i] * block.rows[i].start;
     for (int j = 0; j < block.count; ++j) block.free[i] -= block.matrix[i][j] * block.rows[j].start;
     block.rows[i].active = block.rows[i].start > 0.0 || block.free[i] < 0.0;
   }
@@ -78,7 +75,7 @@ void start(Block& block) {
 
 /// Speed of a row above target, softness included, at the block's impulses.
 double speedAt(const Block& block, int i) {
-  double speed = block.free[i] + softness(block, i) * block.rows[i].impulse;
+  double speed = block.free[i] + block.softness[i] * block.rows[i].impulse;
   for (int j = 0; j < block.count; ++j) speed += block.matrix[i][j] * block.rows[j].impulse;
   return speed;
 }
@@ -98,9 +95,9 @@ void solveActive(Block& block) {
       if (block.rows[j].fixed) x[i] -= block.matrix[index[i]][j] * block.rows[j].impulse;
   }
   for (int j = 0; j < n; ++j) {
-    double pivot = block.matrix[index[j]][index[j]] + softness(block, index[j]);
+    double pivot = block.matrix[index[j]][index[j]] + block.softness[index[j]];
     for (int k = 0; k < j; ++k) pivot -= l[j][k] * l[j][k] * d[k];
-    d[j] = maxOf(pivot, softness(block, index[j]));
+    d[j] = maxOf(pivot, block.softness[index[j]]);
     for (int i = j + 1; i < n; ++i) {
       double sum = block.matrix[index[i]][index[j]];
       for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k] * d[k];
@@ -251,6 +248,9 @@ void buildBlock(const Single* singles, std::uint32_t count, Block& block) {
       block.matrix[i][j] = block.matrix[j][i] = entry(a, rowA, b, b.rows.point[block.rows[j].point]);
     }
   }
+  double most = 0.0;
+  for (int i = 0; i < block.count; ++i) most = maxOf(most, block.matrix[i][i]);
+  for (int i = 0; i < block.count; ++i) block.softness[i] = maxOf(kSoftness * block.matrix[i][i], kRounding * most);
 }
 
 void solveBlock(std::uint32_t light, Single* singles, const BlockLimit* limits, std::uint32_t limitCount,

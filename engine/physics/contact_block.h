@@ -44,6 +44,7 @@ struct Block {
   double matrix[kMaxBlockRows][kMaxBlockRows];  // speed of row i per impulse of row j
   double speed[kMaxBlockRows];                  // above target, now
   double free[kMaxBlockRows];                   // the same with no impulse in the block
+  double softness[kMaxBlockRows];               // holds a row to the impulse it starts from [m/s] per N s
   int count = 0;
 };
 
