@@ -24,7 +24,7 @@ struct Contact {
   bool touching = false;             // had a point within the slop at the end of the last tick
   bool fromCut = false;              // between pieces of one breaking
   float approach[kMaxPoints] = {};   // this tick, before the solver: closing speed per point [m/s]
-  bool passable = false;             // this tick: its strike has paid all it can, the way is free
+  bool passable = false;             // this tick: what strikes moves and has paid all it can, the way is free
   bool solvedAlone = false;          // this pass: not in a batch
   bool waits = false;                // this tick: only a sweep may close its gap, no impulse acts through it
   bool reached = false;              // this tick: a sweep has closed its gap
