@@ -187,7 +187,13 @@ class AxisTest {
     const double sine = axis.norm();
     if (sine < 1e-6) return;  // parallel: a face's normal or another pair has the axis
     axis /= sine;
-    if (axis.dot(a.normals[0] + a.normals[1]) < 0.0) axis = -axis;
+    // A sliver's edge lies between faces whose normals nearly cancel: rounding is all that its own have to say.
+    const double outward = axis.dot((a.normals[0] + a.normals[1]) - (b.normals[0] + b.normals[1]));
+    if (outward > -kSideSlack) tryEdgeAxis(axis, a, b);
+    if (outward < kSideSlack) tryEdgeAxis(-axis, a, b);
+  }
+
+  void tryEdgeAxis(const Vec3d& axis, const EdgeLine& a, const EdgeLine& b) {
     if ((b.start - a.start).dot(axis) <= best_.separation + kEdgeSlack * std::abs(best_.separation)) return;
     const Penetration before = best_;
     tryAxis(axis, sideA_, sideB_, a.start);
