@@ -10,8 +10,9 @@
 
 namespace brittle::physics {
 namespace {
-constexpr float kUpright = 0.7f;    // cosine: nothing stands on what is steeper than 45 degrees [-]
+constexpr float kUpright = 0.98f;   // cosine: what is steeper than 11 degrees rather wedges than bears (measured) [-]
 constexpr std::uint32_t kTall = 8;  // bodies: the default sweeps hold what is lower (measured) [-]
+constexpr float kThin = 8.0f;       // of what gravity moves a body in a tick: inner radius below which it is thin [-]
 constexpr int kRoundsPerLevel = 2;  // measured: with one, a stack that must fall stays for two seconds
 constexpr int kMostRounds = 200;    // whatever the height
 constexpr int kSweeps = 10;         // over the supports of one body; most need two
@@ -22,22 +23,30 @@ bool isGround(const Body& body) {
   return !body.isDynamic() || !body.awake;
 }
 
-bool touches(const State& state, const Contact& contact) {
-  const float slop = contactSlop(state.shapes[contact.a], state.shapes[contact.b]);
+/// How far a body that stood falls in a tick without what it stands on. [m]
+float fallOf(const State& state, float dt) {
+  return state.gravity.norm() * dt * dt;
+}
+
+bool isReached(const State& state, const Contact& contact, float dt) {
+  const Shape& a = state.shapes[contact.a];
+  const Shape& b = state.shapes[contact.b];
+  const float reach = contactSlop(a, b) + minOf(fallOf(state, dt), minOf(a.innerRadius, b.innerRadius));
   for (int i = 0; i < contact.manifold.count; ++i)
-    if (contact.manifold.points[i].separation <= slop) return true;
+    if (contact.manifold.points[i].separation <= reach) return true;
   return false;
 }
 
-/// Visits the contacts of a body with what is under it: visit(contact, other body).
+/// Visits the contacts of a body with what is under it, or where it would fall to within the tick: visit(contact, other
+/// body).
 template <class Visit>
-void forEachSupport(const State& state, BodyHandle handle, Visit&& visit) {
+void forEachSupport(const State& state, BodyHandle handle, float dt, Visit&& visit) {
   const Vec3 up = -state.gravity.normalized();
   forEachShape(state, state.bodies[handle], [&](ShapeHandle, const Shape& shape) {
     forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
       const Contact& contact = state.contacts.at(slot);
       const float upright = contact.manifold.normal.dot(up) * (side == 0 ? -1.0f : 1.0f);
-      if (contact.manifold.count > 0 && upright > kUpright && !contact.passable && touches(state, contact))
+      if (contact.manifold.count > 0 && upright > kUpright && !contact.passable && isReached(state, contact, dt))
         visit(contact, state.shapes[side == 0 ? contact.b : contact.a].body);
       return true;
     });
@@ -48,21 +57,24 @@ void forEachSupport(const State& state, BodyHandle handle, Visit&& visit) {
 
 void Stacks::findStanding(const State& state, float dt) {
   standing_.clear();
+  isThin_ = false;
+  const float thin = kThin * fallOf(state, dt);
   const float slowest = kSlow * state.gravity.norm() * dt;
   state.bodies.forEach([&](BodyHandle handle, const Body& body) {
     if (!body.isDynamic() || !body.awake) return;
     if (body.velocity.norm() + body.angularVelocity.norm() * body.radius > slowest) return;
     standing_.push_back({-state.gravity.dot(body.center), handle});
+    isThin_ = isThin_ || body.innerRadius < thin;
   });
 }
 
-std::uint32_t Stacks::findLevels(const State& state) {
+std::uint32_t Stacks::findLevels(const State& state, float dt) {
   std::sort(standing_.begin(), standing_.end());
   level_.assign(state.bodies.capacity(), 0);
   std::uint32_t tallest = 0;
   for (const Standing& one : standing_) {
     std::uint32_t level = 0;
-    forEachSupport(state, one.body, [&](const Contact&, BodyHandle under) {
+    forEachSupport(state, one.body, dt, [&](const Contact&, BodyHandle under) {
       const std::uint32_t below = level_[under.index];
       if (isGround(state.bodies[under]))
         level = maxOf(level, 1u);
@@ -77,7 +89,7 @@ std::uint32_t Stacks::findLevels(const State& state) {
 
 void Stacks::gatherSupports(const State& state, BodyHandle body, float dt) {
   supports_.clear();
-  forEachSupport(state, body, [&](const Contact& contact, BodyHandle under) {
+  forEachSupport(state, body, dt, [&](const Contact& contact, BodyHandle under) {
     if (!isGround(state.bodies[under]) && level_[under.index] == 0) return;
     Support& support = supports_.emplace_back();
     support.bodyA = state.shapes[contact.a].body.index;
@@ -112,20 +124,21 @@ void Stacks::measure(const State& state, float dt) {
   height_ = 0;
   if (!state.accuracy.stacks || state.gravity.isZero()) return;
   findStanding(state, dt);
-  if (standing_.size() < kTall) return;
-  const std::uint32_t tallest = findLevels(state);
-  if (tallest >= kTall) height_ = static_cast<int>(tallest);
+  const std::uint32_t lowest = isThin_ ? 2 : kTall;
+  if (standing_.size() < lowest) return;
+  const std::uint32_t tallest = findLevels(state, dt);
+  if (tallest >= lowest) height_ = static_cast<int>(tallest);
 }
 
 int Stacks::rounds() const {
-  return minOf(kRoundsPerLevel * height_, kMostRounds);
+  return height_ < static_cast<int>(kTall) ? 0 : minOf(kRoundsPerLevel * height_, kMostRounds);
 }
 
 void Stacks::hold(State& state, float dt) {
   BR_ZONE("hold stacks");
   if (height_ == 0) return;
   findStanding(state, dt);  // again: what was hit or broke stands no more
-  findLevels(state);
+  findLevels(state, dt);
   for (const Standing& one : standing_)
     if (level_[one.body.index] > 0) holdBody(state, one.body, dt);
   for (const Standing& one : standing_) {

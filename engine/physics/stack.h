@@ -2,9 +2,10 @@
 // many it takes grows with the square of a stack's height, and for its bending with the fourth power. With the sweeps
 // that other scenes need a tall wall sinks while its loads build up, then bends and falls. So for tall stacks, and only
 // for them, the solver runs more and better rounds; and the motion these leave to bodies that stand is taken out from
-// below, each body seeing those under it as immovable. Impulses stay the solver's, and so does what must fall: rounds
-// that have converged leave nothing to take out. Source: Guendelman, Bridson, Fedkiw, Nonconvex Rigid Bodies with
-// Stacking, 2003 (shock propagation).
+// below, each body seeing those under it as immovable. Thin bodies need that at any height: what the sweeps leave is a
+// part of the way that gravity moves a body in a tick, and two plates of 1 mm sank into each other by half of it.
+// Impulses stay the solver's, and so does what must fall: rounds that have converged leave nothing to take out. Source:
+// Guendelman, Bridson, Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003 (shock propagation).
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ class Stacks {
   void measure(const State& state, float dt);
   /// What the solver needs for that: rounds of ContactSolver::solveTall; 0: its usual sweeps will do.
   int rounds() const;
-  /// Of the tallest pile [bodies]; 0: none is tall.
+  /// Of the tallest pile [bodies]; 0: none is tall or of thin bodies.
   int height() const { return height_; }
   /// Once velocities are final, before positions are integrated.
   void hold(State& state, float dt);
@@ -45,14 +46,15 @@ class Stacks {
     int points = 0;
   };
   void findStanding(const State& state, float dt);
-  std::uint32_t findLevels(const State& state);
+  std::uint32_t findLevels(const State& state, float dt);
   void gatherSupports(const State& state, BodyHandle body, float dt);
   void holdBody(State& state, BodyHandle body, float dt);
 
   std::vector<Standing> standing_;    // in order of height
   std::vector<std::uint32_t> level_;  // by body slot: bodies between it and the ground, itself included; 0: none
   std::vector<Support> supports_;
-  int height_ = 0;  // [bodies]; 0: not tall
+  int height_ = 0;       // [bodies]
+  bool isThin_ = false;  // one of those that stand is
 };
 
 }  // namespace brittle::physics

@@ -58,6 +58,8 @@ constexpr Case kCases[] = {
     {"B39", "one number of a pile becomes NaN", "caught in the step, named, one body gone, no other touched"},
     {"B40", "400 shards sprayed onto plates", "none through; at most 1.5 times the work of no plate"},
     {"B41", "1,000 to 32,000 bodies made and removed", "work per body flat within 1.5; memory returns"},
+    {"B42", "packed shards of 1 mm to 1 m, piled prisms down to 0.1 mm thin",
+     "overlap at rest below 2 % of a shard's size, of a prism's thickness; masses exact; no shard changes shape"},
     {"B43", "a wall of 40 x 25 bricks, 60 s awake", "stands: top sinks below 20 mm; energy never rises by 1e-6"},
     {"B44", "resting and hanging loads at 0.1 to 3 times the limit",
      "breaks exactly above it at any dt; joints never break"},

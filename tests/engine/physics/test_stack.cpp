@@ -116,6 +116,43 @@ TEST(Stack, OnlyTallOnesTakeMoreRounds) {
   EXPECT_EQ(falling.world.state().stacks.rounds(), 0);
 }
 
+/// Square plates laid on a floor with gaps of a hundredth of their thickness, each further to the side than the one
+/// below. [m]
+std::vector<BodyHandle> layPlates(World& world, int count, float thickness, float width, float aside = 0.0f) {
+  addFloor(world);
+  std::vector<BodyHandle> plates;
+  for (int i = 0; i < count; ++i) {
+    const auto level = static_cast<float>(i);
+    plates.push_back(addBox(world, bodyAt(Vec3(aside * level, thickness * (0.5f + 1.01f * level), 0.0f)),
+                            Vec3(0.5f * width, 0.5f * thickness, 0.5f * width), shapeDef(2500.0f)));
+  }
+  return plates;
+}
+
+// What the sweeps leave to a plate is a part of the 2.7 mm that gravity moves it in a tick: more than it is thick.
+TEST(Stack, ThinPlatesDoNotSinkIntoEachOtherAtAnyHeight) {
+  for (const float thickness : {1e-4f, 1e-3f, 1e-2f, 3e-2f})
+    for (const int count : {2, 5, 12}) {
+      World world(alwaysAwake());
+      const std::vector<BodyHandle> plates = layPlates(world, count, thickness, 10.0f * thickness);
+      for (int tick = 0; tick < 120; ++tick) {
+        world.step(kTick);
+        for (int i = 0; i < count; ++i) {
+          const float level = world.body(plates[i]).center.y() / thickness;
+          ASSERT_GT(level, 0.495f + static_cast<float>(i)) << thickness << " m, plate " << i << ", tick " << tick;
+        }
+      }
+    }
+}
+
+// Five plates of 20 cm, each 6 cm further: the centre of those above the lowest is 15 cm from its middle.
+TEST(Stack, ThinPlatesFallIfTheyLeanTooFar) {
+  World world(alwaysAwake());
+  const std::vector<BodyHandle> plates = layPlates(world, 5, 0.01f, 0.2f, 0.06f);
+  for (int tick = 0; tick < 60; ++tick) world.step(kTick);
+  EXPECT_LT(world.body(plates.back()).center.y(), 0.035f);
+}
+
 // Between the rounds for tall stacks impulses go on along their way, below zero too: what slides by nothing then has no
 // friction, and stays a number.
 TEST(Stack, ImpulsesBelowZeroHaveNoFriction) {
