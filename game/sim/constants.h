@@ -7,7 +7,7 @@
 namespace brittle::sim::rules {
 
 /// Raised by every change that changes results: a replay of another version is refused.
-inline constexpr std::uint32_t kSimulationVersion = 6;
+inline constexpr std::uint32_t kSimulationVersion = 7;
 
 // Time.
 inline constexpr int kTickRate = 60;                 // [ticks/s], format
