@@ -96,24 +96,15 @@ TEST(B31, AWarmBreakAsksForNoMemory) {
 
 TEST(B31, WorkIsLinearInShards) {
   Range range;
-  const int repeats = hard::counted(3, 20);
-  double least = 1.0, most = 0.0;
-  for (const int shards : {30, 60, 120, 240, 480}) {
-    Spike spike;
-    for (int i = 0; i < 2; ++i) range.shoot(diceOf(shards));
-    const double seconds = hard::leastOf(repeats, [&] {
-      spike = range.shoot(diceOf(shards));
-      return spike.seconds;
-    });
-    const double perShard = seconds / spike.counters.pieces;
-    least = std::min(least, perShard);
-    most = std::max(most, perShard);
+  const hard::Spread spread = hard::spreadOf({30, 60, 120, 240, 480}, hard::counted(5, 20), 1.5, [&](int shards) {
+    const Spike spike = range.shoot(diceOf(shards));
     EXPECT_GE(spike.counters.pieces, static_cast<std::uint32_t>(shards) * 3 / 4);
     EXPECT_LE(spike.counters.contacts, 8 * spike.counters.pieces);
     EXPECT_LE(spike.counters.passes, 3u);
-  }
-  EXPECT_LE(most, 1.5 * least);
-  hard::reportWorst("most work per shard over least", most / least);
+    return spike.seconds / spike.counters.pieces;
+  });
+  EXPECT_LE(spread.ratio(), 1.5);
+  hard::reportWorst("most work per shard over least", spread.ratio());
 }
 
 }  // namespace
