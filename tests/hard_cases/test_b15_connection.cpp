@@ -166,8 +166,8 @@ TEST_F(B15, AgreesWithTheExactTestOutsideTheSlop) {
     EXPECT_EQ(isConnected(a, b), relation == Relation::Deep) << i;
   }
   for (const int count : counts) EXPECT_GT(count, 20);
-  hard::reportSum("pairs apart and", counts[0]);
-  hard::reportSum("pairs deep, as the exact test has them", counts[1]);
+  hard::reportSum("pairs apart as the exact test has them", counts[0]);
+  hard::reportSum("pairs deep alike", counts[1]);
 }
 
 }  // namespace

@@ -12,13 +12,17 @@ namespace {
 using namespace brittle;
 using namespace brittle::effects_cost;
 
-enum class Form { Table, Markdown, Json };
-
 std::string textOf(const std::optional<double>& number, const char* format, const char* none) {
   if (!number) return none;
   char text[32];
   std::snprintf(text, sizeof text, format, *number == 0.0 ? 0.0 : *number);
   return text;
+}
+
+std::string kilobytesOf(const Cost& cost) {
+  std::optional<double> kilobytes = cost.codeBytes;
+  if (kilobytes) *kilobytes /= 1024.0;
+  return textOf(kilobytes, "%.1f kB", "-");
 }
 
 void printJson(const std::vector<Cost>& costs) {
@@ -33,19 +37,36 @@ void printJson(const std::vector<Cost>& costs) {
   std::printf("\n]\n");
 }
 
-void printTable(const std::vector<Cost>& costs, Form form) {
-  const bool isMarkdown = form == Form::Markdown;
-  std::printf(isMarkdown ? "| effect | unused: instructions | bytes a body | program | used: ms a tick |\n| --- | ---: "
-                           "| ---: | ---: | ---: |\n"
-                         : "%-16s %20s %14s %12s %16s\n",
-              "effect", "unused: instructions", "bytes a body", "program", "used: ms a tick");
-  for (const Cost& cost : costs) {
-    std::optional<double> kilobytes = cost.codeBytes;
-    if (kilobytes) *kilobytes /= 1024.0;
-    std::printf(isMarkdown ? "| %s | %s | %s | %s | %.3f |\n" : "%-16s %20s %14s %12s %16.3f\n",
-                effects::nameOf(cost.effect), textOf(cost.unusedOverhead, "%+.3f %%", "-").c_str(),
-                textOf(cost.bytesPerBody, "%.0f", "-").c_str(), textOf(kilobytes, "%.1f kB", "-").c_str(),
-                cost.usedMilliseconds);
+void printTable(const std::vector<Cost>& costs) {
+  std::printf("%-16s %20s %14s %12s %16s\n", "effect", "unused: instructions", "bytes a body", "program",
+              "used: ms a tick");
+  for (const Cost& cost : costs)
+    std::printf("%-16s %20s %14s %12s %16.3f\n", effects::nameOf(cost.effect),
+                textOf(cost.unusedOverhead, "%+.3f %%", "-").c_str(), textOf(cost.bytesPerBody, "%.0f", "-").c_str(),
+                kilobytesOf(cost).c_str(), cost.usedMilliseconds);
+}
+
+/// Three effects to a line, so that README stays short.
+void printMarkdown(const std::vector<Cost>& costs) {
+  constexpr std::size_t kAside = 3;
+  const std::size_t lines = (costs.size() + kAside - 1) / kAside;
+  for (const char* cells : {" effect | unused | program | ms |", " --- | ---: | ---: | ---: |"}) {
+    std::printf("|");
+    for (std::size_t i = 0; i < kAside; ++i) std::printf("%s", cells);
+    std::printf("\n");
+  }
+  for (std::size_t line = 0; line < lines; ++line) {
+    std::printf("|");
+    for (std::size_t i = line; i < kAside * lines; i += lines) {
+      if (i >= costs.size()) {
+        std::printf(" | | | |");
+        continue;
+      }
+      std::printf(" %s | %s | %s | %.2f |", effects::nameOf(costs[i].effect),
+                  textOf(costs[i].unusedOverhead, "%+.2f %%", "-").c_str(), kilobytesOf(costs[i]).c_str(),
+                  costs[i].usedMilliseconds);
+    }
+    std::printf("\n");
   }
 }
 
@@ -67,7 +88,7 @@ int main(int argc, char** argv) {
   effort.jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
   app.add_option("EFFECT", names, "names of effects (default: all that have a module)");
   app.add_flag("--json", json, "a list of objects");
-  app.add_flag("--markdown", markdown, "a table for README")->excludes("--json");
+  app.add_flag("--markdown", markdown, "a table for README, three effects to a line")->excludes("--json");
   app.add_flag("--used", used, "only what it costs where it is used: builds nothing");
   app.add_option("--rounds", effort.rounds, "of timing")->capture_default_str()->check(CLI::Range(1, 100));
   app.footer(
@@ -91,7 +112,9 @@ int main(int argc, char** argv) {
   if (!costs) return refuse(costs.error().message);
   if (json)
     printJson(*costs);
+  else if (markdown)
+    printMarkdown(*costs);
   else
-    printTable(*costs, markdown ? Form::Markdown : Form::Table);
+    printTable(*costs);
   return 0;
 }
