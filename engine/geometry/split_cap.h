@@ -13,7 +13,8 @@ std::uint32_t mixColor(std::uint32_t a, std::uint32_t b, std::uint32_t weight);
 /// Shading normals between two packed ones; none if either is none.
 std::uint32_t mixNormal(std::uint32_t a, std::uint32_t b, float weight);
 
-/// The fraction of an edge, from its nearer end, at which a cut vertex may stand.
+/// The fraction of an edge, from its nearer end, at which a cut vertex may stand. Below zero where the repair left an
+/// end on the wrong side, and moved away from there as well.
 template <class S>
 S movedAway(const Sides<S>& sides, const S& fraction, const Vec3T<S>& along) {
   if constexpr (!kIsExact<S>) {
@@ -37,7 +38,6 @@ VertexT<S> cutVertex(const Sides<S>& sides, std::uint32_t low, std::uint32_t hig
   const VertexT<S>& near = sides.parent.vertices[fromLow ? low : high];
   const VertexT<S>& far = sides.parent.vertices[fromLow ? high : low];
   if (!fromLow) fraction = S(-sides.scratch.distances[high]) / drop;
-  if (fraction < S(0)) fraction = S(0);  // a repaired end may lie on the wrong side
   Vec3T<S> along(far.point.x() - near.point.x(), far.point.y() - near.point.y(), far.point.z() - near.point.z());
   fraction = movedAway<S>(sides, fraction, along);
   VertexT<S> vertex = near;
