@@ -8,7 +8,8 @@ constexpr Case kCases[] = {
     // Splitting.
     {"B1", "random cuts of a cube, 512 pieces a round",
      "no topology failure; a round's volume within 1e-6; pieces convex within the move distance"},
-    {"B2", "cuts through an existing vertex", "no topology failure; the vertex stands in one child; caps identical"},
+    {"B2", "cuts through an existing vertex",
+     "no topology failure; the vertex stands in one child; caps identical, off the ends of edges"},
     {"B3", "cuts through an existing edge, also an ulp beside it", "no topology failure; every child has volume"},
     {"B4", "cuts on the plane of an existing face, either way round", "no topology failure; no empty piece"},
     {"B5", "slivers of 1e-4 and 1e-6, cut in every direction",

@@ -2,6 +2,8 @@
 // sentence; null: none.
 #pragma once
 
+#include <algorithm>
+
 #include "tests/engine/geometry/cutting.h"
 
 namespace brittle::geometry {
@@ -46,11 +48,38 @@ inline const char* findPlaneError(const Convex& parent, const Plane& plane, cons
   return nullptr;
 }
 
+/// From each corner of a cap along the edge that was cut, to the end on the child's side. [m]
+inline std::vector<double> stumpsOf(const Convex& child) {
+  const std::size_t cap = child.faces.size() - 1, first = child.vertices.size() - capOf(child).size();
+  std::vector<double> lengths(child.vertices.size() - first, 0.0);
+  for (const Edge& edge : child.edges) {
+    const Edge& opposite = child.edges[edge.opposite];
+    if (edge.vertex < first || edge.face == cap || opposite.face == cap) continue;
+    const Vec3d along = (child.vertices[opposite.vertex].point - child.vertices[edge.vertex].point).cast<double>();
+    lengths[edge.vertex - first] = along.norm();
+  }
+  return lengths;
+}
+
+/// A corner of a cap keeps off both ends of its edge: by 2^-20 of the extent, or a quarter of a short edge; rounding
+/// may take a quarter of that and the last two units of the coordinates.
+inline const char* findCloseCornerError(const Convex& parent, const Convex& above, const Convex& below) {
+  double reach = 0.0;
+  for (const Vertex& vertex : parent.vertices) reach = std::max<double>(reach, vertex.point.cwiseAbs().maxCoeff());
+  const std::vector<double> up = stumpsOf(above), down = stumpsOf(below);
+  for (std::size_t i = 0; i < up.size(); ++i) {
+    const double least = std::min<double>(0x1p-20 * extentOf(parent.view()), 0.25 * (up[i] + down[i]));
+    if (std::min(up[i], down[i]) < 0.75 * least - 0x1p-22 * reach) return "a corner of a cap meets an end of its edge";
+  }
+  return nullptr;
+}
+
 /// The same of both, and of their topology.
 inline const char* findCutError(const Convex& parent, const Plane& plane, const Convex& above, const Convex& below) {
   const char* error = findTopologyError(above.view());
   if (error == nullptr) error = findTopologyError(below.view());
   if (error == nullptr) error = findSharingError(parent, above, below);
+  if (error == nullptr) error = findCloseCornerError(parent, above, below);
   return error != nullptr ? error : findPlaneError(parent, plane, above, below);
 }
 
