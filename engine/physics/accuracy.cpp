@@ -34,7 +34,7 @@ std::optional<Accuracy> preset(std::string_view name) {
     accuracy.maxDebris = 192;
     accuracy.maxBodies = 192;
   } else if (name == "accurate") {
-    accuracy.iterations = 16;
+    accuracy.iterations = 8;
     accuracy.substeps = 2;
     accuracy.maxDebris = 1024;
     accuracy.maxBodies = 4096;

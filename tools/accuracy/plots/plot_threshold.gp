@@ -1,6 +1,6 @@
 width = 1060
 load scripts.'/style.gp'
-set title 'Inside the step the strength is an edge; where glass breaks after it, most balls need more than that' font ',15'
+set title 'Inside the step strength is an edge; after it, most balls need more' font ',15'
 set logscale x
 set xrange [4:5e-7] reverse
 set format x '%g'
