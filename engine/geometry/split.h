@@ -51,7 +51,7 @@ using SplitScratch = SplitScratchT<float>;
 /// parent's extent and 8 units in the last place of its largest coordinate, together, of the plane. `above` and `below`
 /// must not alias `parent`. The order of vertices, faces and edges depends on the arguments only (replays rely on it).
 /// Linear in half-edges; allocates only what the pieces and the scratch grow. Source: Gustafsson, Procedural
-/// Destruction (talk): classify by sign, clamp to the edge, then topology only; the sign repair is ours, see split.cpp.
+/// Destruction (talk): classify by sign, keep to the edge, then topology only; the sign repair is ours, see split.cpp.
 template <class S>
 SplitOutcome split(const ConvexViewT<S>& parent, const PlaneT<S>& plane, CutMark mark, SplitScratchT<S>& scratch,
                    ConvexT<S>& above, ConvexT<S>& below);

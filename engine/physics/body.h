@@ -41,7 +41,7 @@ struct Body {
   BodyType type = BodyType::Static;
   bool awake = false;
   bool breakable = false;
-  bool isPiece = false;  // came off something that broke
+  bool isPiece = false;                 // came off something that broke
   Transform pose;                       // of the local frame
   Vec3 localCenter = Vec3::Zero();      // centre of mass in the local frame [m]
   Vec3 center = Vec3::Zero();           // and in the world; pose.toWorld(localCenter) up to rounding

@@ -58,7 +58,8 @@ void solveAndBreak(State& state, float dt) {
   }
 }
 
-/// One sub-step. The numbers are those of the algorithm in the README.
+/// One sub-step: 1 integrate velocities, 2 find contacts, 3 limit impulses, 4 solve, 5 break and limit again, 6
+/// integrate positions.
 void step(State& state, float dt) {
   quarantine(state);
   if constexpr (effects::kHasJoints) wakeByJoints(state);

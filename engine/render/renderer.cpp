@@ -18,7 +18,6 @@ namespace brittle::render {
 
 namespace {
 
-
 constexpr int kMaxPicture = 16384;    // [pixels]
 constexpr float kRefraction = 0.07f;  // how far aside tilted glass looks [picture heights]; chosen by eye
 

@@ -23,7 +23,7 @@ std::vector<TouchSpot> powerUpSpots(const sim::Hud& hud, float width, float heig
 /// What a frame took, as means. [ms]
 struct Timings {
   float frame = 0.0f, simulate = 0.0f, draw = 0.0f, swap = 0.0f;
-  float longest = 0.0f;           // frame
+  float longest = 0.0f;                // frame
   std::vector<NamedCount> heard = {};  // what the sound leaves out
 };
 

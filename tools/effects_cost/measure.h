@@ -1,5 +1,5 @@
 // effects_cost/measure.h - what an effect costs where it is used, and what it costs where it is not: the same room
-// played by this build and by one that the effect's module was left out of.
+// played by a build with all modules and by one that the effect's module was left out of.
 #pragma once
 
 #include <functional>

@@ -97,8 +97,8 @@ Status run(const std::string& name, bool off, int ticks, platform::HeadlessBacke
   for (const double time : times) sum += time;
   std::printf(
       "{\"ms\": %.6f, \"median_ms\": %.6f, \"heap_bytes\": %zu, \"bodies\": %zu, \"demanded\": %s, \"runs\": %s}\n",
-      sum / static_cast<double>(ticks), times[times.size() / 2], allocatedBytes(),
-      bodiesIn(**game), effect && (*game)->effects().has(*effect) ? "true" : "false",
+      sum / static_cast<double>(ticks), times[times.size() / 2], allocatedBytes(), bodiesIn(**game),
+      effect && (*game)->effects().has(*effect) ? "true" : "false",
       effect && (*game)->effects().runs(*effect) ? "true" : "false");
   return Done{};
 }
