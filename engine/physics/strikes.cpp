@@ -232,7 +232,7 @@ void holdSaturated(State& state, float dt) {
     if (!strike.saturated) continue;
     state.held.push_back({strike.striker, strike.struck, impactOf(state, strike), strike.impulse});
     Body& body = state.bodies[sweptBody(state, strike)];
-    if (body.isDynamic()) {
+    if (body.isDynamic() && body.timeUsed != dt) {
       body.timeUsed = dt;
       state.counters.omissions.add(Omission::StoppedStriker);
     }

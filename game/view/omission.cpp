@@ -1,5 +1,7 @@
 #include "game/view/omission.h"
 
+#include <iterator>
+
 #include <algorithm>
 
 namespace brittle::view {
@@ -16,6 +18,7 @@ const char* nameOf(Omission omission) {
   constexpr const char* names[] = {
       "seen things behind", "glows",          "streaks",      "puffs of smoke", "ripples", "shadows",
       "lamps mirrored",     "meshes unbaked", "quiet sounds", "covered sounds"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Omission::Count));
   return names[static_cast<int>(omission)];
 }
 
