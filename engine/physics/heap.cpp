@@ -1,12 +1,16 @@
 #include "engine/physics/heap.h"
 
-#include <algorithm>
-
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/state.h"
 
 namespace brittle::physics {
 namespace {
+
+void add(Heap& heap, BodyHandle body) {
+  if (heap.isIn[body.index]) return;
+  heap.isIn[body.index] = true;
+  heap.bodies.push_back(body);
+}
 
 void addNeighbours(const State& state, const Shape& shape, Heap& heap) {
   forEachContact(state, shape, [&](std::uint32_t slot, std::uint32_t side) {
@@ -15,8 +19,7 @@ void addNeighbours(const State& state, const Shape& shape, Heap& heap) {
     const BodyHandle other = state.shapes[side == 0 ? contact.b : contact.a].body;
     const Body& body = state.bodies[other];
     heap.isCarried = heap.isCarried || body.type == BodyType::Animated;
-    const bool isKnown = std::find(heap.bodies.begin(), heap.bodies.end(), other) != heap.bodies.end();
-    if (body.isDynamic() && !isKnown) heap.bodies.push_back(other);
+    if (body.isDynamic()) add(heap, other);
     return true;
   });
 }
@@ -24,7 +27,7 @@ void addNeighbours(const State& state, const Shape& shape, Heap& heap) {
 bool hangs(const State& state, const Heap& heap) {
   const auto holds = [&](ShapeHandle handle) {
     const Shape* shape = state.shapes.find(handle);
-    return shape != nullptr && std::find(heap.bodies.begin(), heap.bodies.end(), shape->body) != heap.bodies.end();
+    return shape != nullptr && heap.isIn[shape->body.index];
   };
   bool found = false;
   state.joints.forEach(
@@ -36,7 +39,9 @@ bool hangs(const State& state, const Heap& heap) {
 
 void gatherHeap(const State& state, BodyHandle body, Heap& heap) {
   heap.isCarried = false;
-  heap.bodies.assign(1, body);
+  heap.bodies.clear();
+  heap.isIn.assign(state.bodies.capacity(), false);
+  add(heap, body);
   for (std::size_t i = 0; i < heap.bodies.size(); ++i)
     forEachShape(state, state.bodies[heap.bodies[i]],
                  [&](ShapeHandle, const Shape& shape) { addNeighbours(state, shape, heap); });

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct Spread {
 /// whatever disturbs the machine disturbs all of them; and of up to eight times as many while the most is above `bound`
 /// times the least, as noise goes away and growth does not.
 template <class Cost>
-Spread spreadOf(std::initializer_list<int> sizes, int repeats, double bound, Cost&& costOf) {
+Spread spreadOf(const std::vector<int>& sizes, int repeats, double bound, Cost&& costOf) {
   std::vector<double> costs(sizes.size(), std::numeric_limits<double>::infinity());
   Spread spread;
   for (int round = 0; round < repeats || (round < 8 * repeats && spread.ratio() > bound); ++round) {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "tools/effects_cost/callgrind.h"
+#include "tools/callgrind/callgrind.h"
 
 namespace brittle::accuracy {
 namespace {
@@ -36,9 +36,9 @@ Status countInstructions(std::vector<Scored>& scored, const Advance& advance) {
       return isSame(other.setting.accuracy, one->setting.accuracy);
     });
     if (same == one) {
-      const Result<double> counted = effects_cost::instructionsOf(
-          "brittle::physics::World::step(float)",
-          {*self, "--scene", std::string(kCountedScene), "--accuracy", nameOf(one->setting)});
+      const Result<double> counted =
+          callgrind::instructionsOf("brittle::physics::World::step(float)",
+                                    {*self, "--scene", std::string(kCountedScene), "--accuracy", nameOf(one->setting)});
       if (!counted) return counted.error();
       one->cost.instructions = *counted / seconds;
     } else {

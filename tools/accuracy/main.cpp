@@ -11,7 +11,7 @@
 #include "tools/accuracy/outcome.h"
 #include "tools/bench/cpu_time.h"
 #include "tools/brittle/progress.h"
-#include "tools/effects_cost/callgrind.h"
+#include "tools/callgrind/callgrind.h"
 
 namespace {
 
@@ -82,7 +82,7 @@ Status prepare(const Options& options) {
   if (!options.noPlots)
     if (const Status there = checkPlotting(); !there) return there;
   if (options.instructions)
-    if (const Status there = effects_cost::checkCounting(); !there) return there;
+    if (const Status there = callgrind::checkCounting(); !there) return there;
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) return Error{"--out " + options.out + ": cannot be made: " + problem.message()};

@@ -41,18 +41,13 @@ bool breaks(const physics::Accuracy& accuracy, int number, double ratio) {
 
 std::vector<Setting> settings() {
   std::vector<Setting> all = fractureModes();
-  for (const int iterations : {2, 4}) {
-    all.push_back(all.back());
-    all.back().value = shortly(iterations) + " iterations";
-    all.back().accuracy = {};
-    all.back().accuracy.iterations = iterations;
-  }
-  for (const int substeps : {2, 4, 8}) {
-    all.push_back(all.back());
-    all.back().value = shortly(substeps) + " sub-steps";
-    all.back().accuracy = {};
-    all.back().accuracy.substeps = substeps;
-  }
+  const auto add = [&](int number, const char* what, std::int32_t physics::Accuracy::*knob) {
+    Setting& setting = all.emplace_back();
+    setting.value = shortly(number) + what;
+    setting.accuracy.*knob = number;
+  };
+  for (const int iterations : {2, 4}) add(iterations, " iterations", &physics::Accuracy::iterations);
+  for (const int substeps : {2, 4, 8}) add(substeps, " sub-steps", &physics::Accuracy::substeps);
   return all;
 }
 

@@ -4,12 +4,16 @@
 #include <cctype>
 #include <sstream>
 
-#include "tools/effects_cost/callgrind.h"
-#include "tools/effects_cost/shell.h"
+#include "tools/callgrind/callgrind.h"
+#include "tools/callgrind/shell.h"
 
 namespace brittle::effects_cost {
 namespace {
 
+using callgrind::instructionsOf;
+using callgrind::isThere;
+using callgrind::numberAfter;
+using callgrind::outputOf;
 using effects::Effect;
 
 constexpr const char* kProbe = BRITTLE_BINARY_DIR "/tools/effects_probe";

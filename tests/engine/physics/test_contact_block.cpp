@@ -86,6 +86,8 @@ struct Squeeze {
     return sum;
   }
 
+  void sweep() { solveBlock(0, singles.data(), nullptr, 0, bodies, block); }
+
   /// Relative normal speed of a row; negative: closing. [m/s]
   float speed(const Single& single, int p) const {
     const Row<float>& row = single.rows.point[p];
@@ -116,7 +118,7 @@ TEST(ContactBlock, StopsEveryRowAndAddsNoEnergyWhateverPressesOnTheShard) {
     Squeeze squeeze = fewOthers(random);
     for (int sweep = 0; sweep < 10; ++sweep) {  // each leaves a little, for its softness
       const double before = squeeze.energy();
-      solveBlock(0, squeeze.singles.data(), nullptr, 0, squeeze.bodies, squeeze.block);
+      squeeze.sweep();
       ASSERT_LE(squeeze.energy(), before * (1.0 + 1e-5)) << "seed " << seed;
     }
     for (const Single& single : squeeze.singles) {
@@ -159,8 +161,7 @@ TEST(ContactBlock, RowsThatDependOnOthersStayNumbers) {
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     Random random(seed, 8);
     Squeeze squeeze = crowdedSliver(random);
-    for (int sweep = 0; sweep < 10; ++sweep)
-      solveBlock(0, squeeze.singles.data(), nullptr, 0, squeeze.bodies, squeeze.block);
+    for (int sweep = 0; sweep < 10; ++sweep) squeeze.sweep();
     for (const SolverBody& body : squeeze.bodies) {
       ASSERT_LT(body.velocity.norm(), 100.0f) << "seed " << seed;  // they come at up to 40 m/s
       ASSERT_TRUE(isFinite(body.angularVelocity)) << "seed " << seed;

@@ -41,6 +41,27 @@ inline content::MemorySource oneRoom(const std::string& elements, float length =
   return source;
 }
 
+inline std::string repeated(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+/// A room with so many obstacles of one script on one spot.
+inline content::MemorySource withObstacles(int count, const std::string& script, const std::string& room = "") {
+  content::MemorySource source =
+      oneRoom(repeated(count, "\n<obstacle pos=\"3 1 -20\" type=\"tested\"/>"), 320.0f, room);
+  source.add("obstacles/tested.lua", script);
+  return source;
+}
+
+/// How many of this name a game has left out so far.
+inline std::uint64_t countOf(const Game& game, std::string_view name) {
+  for (const NamedCount& one : game.omissions())
+    if (one.name == name) return one.count;
+  return 0;
+}
+
 inline std::unique_ptr<Game> newGame(const content::AssetSource& source, GameDef def = {}) {
   Result<std::unique_ptr<Game>> made = Game::create(source, def);
   EXPECT_TRUE(static_cast<bool>(made)) << made.error().message;

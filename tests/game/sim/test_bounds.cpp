@@ -13,12 +13,6 @@ int countProblems(const Game& game, const std::string& part) {
   return count;
 }
 
-std::string repeated(int count, const std::string& text) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += text;
-  return all;
-}
-
 /// Bodies that are there, those of the segments too.
 int bodiesIn(const Game& game) {
   FramePacket packet;
@@ -50,13 +44,6 @@ void expectPlays(Game& game) {
 }
 
 constexpr const char* kOneBody = "function init() mgStatic(1) mgCreateBox(mgCreateBody(), .1, .1, .1) end";
-
-content::MemorySource withObstacles(int count, const std::string& script, const std::string& room = "") {
-  content::MemorySource source =
-      oneRoom(repeated(count, "\n<obstacle pos=\"3 1 -20\" type=\"tested\"/>"), 320.0f, room);
-  source.add("obstacles/tested.lua", script);
-  return source;
-}
 
 TEST(Bounds, ObstaclesBeyondThoseARoomHolds) {
   const content::MemorySource source = withObstacles(

@@ -8,52 +8,40 @@
 namespace brittle::sim {
 namespace {
 
-std::uint64_t countOf(const Game& game, Omission omission) {
-  for (const NamedCount& one : game.omissions())
-    if (std::string_view(one.name) == nameOf(omission)) return one.count;
-  return 0;
-}
-
-content::MemorySource crowdOf(int count, const std::string& script, float length = 320.0f) {
-  std::string elements;
-  for (int i = 0; i < count; ++i) elements += "<obstacle pos=\"3 1 -20\" type=\"tested\"/>";
-  content::MemorySource source = oneRoom(elements, length);
-  source.add("obstacles/tested.lua", script);
-  return source;
-}
-
 TEST(Omissions, WhatIsPassedAndWhatFalls) {
   const auto game =
-      newTestGame(crowdOf(1,
-                          "function init() mgMaterial('steel') mgCreateBox(mgCreateBody(9, 0, 0), .1, .1, .1)\n"
-                          "mgStatic(1) mgCreateBox(mgCreateBody(-4, 1, 0), .1, .1, .1) end"));
+      newTestGame(withObstacles(1,
+                                "function init() mgMaterial('steel') mgCreateBox(mgCreateBody(9, 0, 0), .1, .1, .1)\n"
+                                "mgStatic(1) mgCreateBox(mgCreateBody(-4, 1, 0), .1, .1, .1) end"));
   play(*game, 400);
-  EXPECT_EQ(countOf(*game, Omission::Fallen), 1u);
-  EXPECT_EQ(countOf(*game, Omission::BehindCamera), 1u);
+  EXPECT_EQ(countOf(*game, nameOf(Omission::Fallen)), 1u);
+  EXPECT_EQ(countOf(*game, nameOf(Omission::BehindCamera)), 1u);
 }
 
 TEST(Omissions, ObstaclesThatWaitForTheirStart) {
-  const auto game = newTestGame(crowdOf(450, "function init() mgStatic(1) mgCreateBox(mgCreateBody(), 1, 1, 1) end"));
-  EXPECT_GT(countOf(*game, Omission::DeferredObstacle), 100u);
+  const auto game =
+      newTestGame(withObstacles(450, "function init() mgStatic(1) mgCreateBox(mgCreateBody(), 1, 1, 1) end"));
+  EXPECT_GT(countOf(*game, nameOf(Omission::DeferredObstacle)), 100u);
 }
 
 TEST(Omissions, ScriptsThatGetNoTime) {
-  const auto game = newTestGame(crowdOf(100, "function tick() for i = 1, 60000 do end end"));
+  const auto game = newTestGame(withObstacles(100, "function tick() for i = 1, 60000 do end end"));
   play(*game, 3);
-  EXPECT_GT(countOf(*game, Omission::IdleScript), 0u);
+  EXPECT_GT(countOf(*game, nameOf(Omission::IdleScript)), 0u);
 }
 
 TEST(Omissions, ObstaclesTakenOutOfACrowd) {
-  const auto game = newTestGame(crowdOf(
+  const auto game = newTestGame(withObstacles(
       8, "function init() mgMaterial('steel') for i = 1, 100 do mgCreateBox(mgCreateBody(), .3, .3, .3) end end"));
-  EXPECT_GT(countOf(*game, Omission::RemovedObstacle), 0u);
+  EXPECT_GT(countOf(*game, nameOf(Omission::RemovedObstacle)), 0u);
 }
 
 TEST(Omissions, ThingsWithoutAPlace) {
-  const auto bodies = newTestGame(crowdOf(1, "function init() mgStatic(1) for i = 1, 300 do mgCreateBody() end end"));
-  EXPECT_EQ(countOf(*bodies, Omission::RefusedContent), 1u) << "the script stops there";
-  const auto obstacles = newTestGame(crowdOf(503, "function init() end"));
-  EXPECT_EQ(countOf(*obstacles, Omission::RefusedContent), 1u) << "and the rest with it";
+  const auto bodies =
+      newTestGame(withObstacles(1, "function init() mgStatic(1) for i = 1, 300 do mgCreateBody() end end"));
+  EXPECT_EQ(countOf(*bodies, nameOf(Omission::RefusedContent)), 1u) << "the script stops there";
+  const auto obstacles = newTestGame(withObstacles(503, "function init() end"));
+  EXPECT_EQ(countOf(*obstacles, nameOf(Omission::RefusedContent)), 1u) << "and the rest with it";
 }
 
 TEST(Omissions, ThrowsBeyondThoseOfAFrame) {
@@ -61,14 +49,14 @@ TEST(Omissions, ThrowsBeyondThoseOfAFrame) {
   replay::InputFrame frame;
   for (int i = 0; i < replay::kMaxThrows + 3; ++i) frame.throws.push_back(replay::quantizeAim(0.0f, 0.0f));
   game->tick(frame);
-  EXPECT_EQ(countOf(*game, Omission::RefusedThrow), 3u);
+  EXPECT_EQ(countOf(*game, nameOf(Omission::RefusedThrow)), 3u);
 }
 
 TEST(Omissions, ProblemsThatAreNotTold) {
   std::string powerUps;
   for (int i = 0; i < 300; ++i) powerUps += "<powerup pos=\"0 0 0\" type=\"p" + std::to_string(i) + "\"/>";
   const auto game = newTestGame(oneRoom(powerUps, 320.0f));
-  EXPECT_EQ(countOf(*game, Omission::UntoldProblem), 300u - rules::kMaxProblems);
+  EXPECT_EQ(countOf(*game, nameOf(Omission::UntoldProblem)), 300u - rules::kMaxProblems);
 }
 
 // Those of the worlds that are left stay in the sum.
@@ -79,11 +67,7 @@ TEST(Omissions, OfRoomsThatArePassedAreNotForgotten) {
   def.accuracy.minVolumeScale = 100.0f;
   const auto game = newGame(shippedAssets(), def);
   std::uint64_t last = 0;
-  const auto crumbs = [&] {
-    for (const NamedCount& one : game->omissions())
-      if (std::string_view(one.name) == nameOf(physics::Omission::RecycledCrumb)) return one.count;
-    return std::uint64_t{0};
-  };
+  const auto crumbs = [&] { return countOf(*game, nameOf(physics::Omission::RecycledCrumb)); };
   while (game->roomNumber() == 0 && game->tickCount() < 3000) {
     last = crumbs();
     game->tick(scriptedInput(game->tickCount()));

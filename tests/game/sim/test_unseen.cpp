@@ -113,12 +113,6 @@ function tick()
   return source;
 }
 
-std::uint64_t countOf(const Game& game, const std::string& name) {
-  for (const NamedCount& one : game.omissions())
-    if (one.name == name) return one.count;
-  return 0;
-}
-
 std::size_t piecesIn(const Game& game) {
   std::size_t pieces = 0;
   game.world(0)->forEachBody([&](physics::BodyHandle, const physics::Body& body) { pieces += body.isPiece ? 1 : 0; });

@@ -1,8 +1,8 @@
-#include "tools/effects_cost/callgrind.h"
+#include "tools/callgrind/callgrind.h"
 
-#include "tools/effects_cost/shell.h"
+#include "tools/callgrind/shell.h"
 
-namespace brittle::effects_cost {
+namespace brittle::callgrind {
 
 Status checkCounting() {
   if (!isThere("valgrind")) return Error{"valgrind is missing: apt-get install valgrind"};
@@ -19,4 +19,4 @@ Result<double> instructionsOf(const std::string& function, const std::vector<std
   return numberAfter(*counted, "Collected :");
 }
 
-}  // namespace brittle::effects_cost
+}  // namespace brittle::callgrind

@@ -1,4 +1,4 @@
-#include "tools/effects_cost/shell.h"
+#include "tools/callgrind/shell.h"
 
 #include <sys/wait.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace brittle::effects_cost {
+namespace brittle::callgrind {
 namespace {
 
 std::string quoted(const std::string& word) {
@@ -48,4 +48,4 @@ Result<double> numberAfter(const std::string& text, const std::string& name) {
   return std::strtod(text.c_str() + digits, nullptr);
 }
 
-}  // namespace brittle::effects_cost
+}  // namespace brittle::callgrind

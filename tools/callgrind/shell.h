@@ -1,4 +1,4 @@
-// effects_cost/shell.h - other programs, run for what they print.
+// callgrind/shell.h - other programs, run for what they print.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 #include "engine/core/result.h"
 
-namespace brittle::effects_cost {
+namespace brittle::callgrind {
 
 /// Runs a command and waits. What it printed, complaints included; an error with its last line if it ends badly.
 Result<std::string> outputOf(const std::vector<std::string>& words);
@@ -15,4 +15,4 @@ bool isThere(const std::string& program);
 /// The number behind `name` in a text like {"name": 1.5, ...} or "name : 15"; an error if there is none.
 Result<double> numberAfter(const std::string& text, const std::string& name);
 
-}  // namespace brittle::effects_cost
+}  // namespace brittle::callgrind

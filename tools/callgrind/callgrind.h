@@ -1,4 +1,4 @@
-// effects_cost/callgrind.h - counts the instructions of another program's function: the same number on every run,
+// callgrind/callgrind.h - counts the instructions of another program's function: the same number on every run,
 // however busy the machine is.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "engine/core/result.h"
 
-namespace brittle::effects_cost {
+namespace brittle::callgrind {
 
 /// Whether it can be counted: one line that names the package if not.
 Status checkCounting();
@@ -15,4 +15,4 @@ Status checkCounting();
 /// `function`, named as callgrind writes it ("a::b(float)", `*` for anything), and of what it calls.
 Result<double> instructionsOf(const std::string& function, const std::vector<std::string>& words);
 
-}  // namespace brittle::effects_cost
+}  // namespace brittle::callgrind
