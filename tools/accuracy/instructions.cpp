@@ -18,7 +18,7 @@ Result<std::string> ownPath() {
 }
 
 double secondsOf(const Scene& scene, const physics::Accuracy& accuracy) {
-  return static_cast<double>(kTick) * static_cast<double>(timeOf(scene, accuracy, 0).tickMs.size());
+  return static_cast<double>(kTick) * static_cast<double>(observe(scene, accuracy, 0).tickMs.size());
 }
 
 }  // namespace

@@ -100,13 +100,14 @@ std::vector<Setting> knobSettings(bool quick) {
     return list.take();
   }
   list.sweep("fast rounds", &Accuracy::fastRounds, {0, 4, 8, 16, 64});
-  list.sweep("iterations", &Accuracy::iterations, {2, 4, 10, 16, 32, 64, 128, 256});
-  list.sweep("substeps", &Accuracy::substeps, {1, 2, 4, 8, 16});
+  list.sweep("iterations", &Accuracy::iterations, {2, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 32, 64, 128, 256});
+  list.sweep("substeps", &Accuracy::substeps, {1, 2, 3, 4, 8, 16});
   list.sweep("position iterations", &Accuracy::positionIterations, {0, 1, 3, 8, 16});
   addManifolds(list);
   list.sweep("speculative margin", &Accuracy::speculativeMargin, {0.05, 0.02, 0.01, 0.005, 0.0});
   addSwitch(list, "warm start", &Accuracy::warmStart);
   addSwitch(list, "deactivation", &Accuracy::deactivation);
+  addSwitch(list, "stacks", &Accuracy::stacks);
   list.sweep("direct solve mass ratio", &Accuracy::directSolveMassRatio, {0, 1000, 200, 20});
   list.sweep("pattern density", &Accuracy::patternDensity, {0.25, 0.5, 1, 2, 4});
   list.sweep("smallest body", &Accuracy::minVolumeScale, {1000, 100, 10, 1, 0});

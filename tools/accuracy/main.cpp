@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "engine/core/file.h"
+#include "tools/accuracy/csv.h"
 #include "tools/accuracy/instructions.h"
 #include "tools/accuracy/outcome.h"
 #include "tools/bench/cpu_time.h"
@@ -120,17 +121,21 @@ Result<const Scene*> sceneNamed(const std::string& name) {
   return Error{"--scene " + name + ": expected one of" + names};
 }
 
-/// One scene once, without a look between its ticks: for a profiler, and for countInstructions.
+/// One scene once: for a profiler, and for countInstructions.
 int playOne(const Options& options) {
   const Result<const Scene*> scene = sceneNamed(options.scene);
   if (!scene) return refuse(scene.error());
   const Result<physics::Accuracy> accuracy = accuracyNamed(options.setting);
   if (!accuracy) return refuse(accuracy.error());
-  const Observation seen = timeOf(**scene, *accuracy, options.variant);
+  const Observation seen = observe(**scene, *accuracy, options.variant);
   double spent = 0.0;
   for (const double ms : seen.tickMs) spent += ms;
   std::printf("%s, %s: %zu ticks, %.2f ms, state %016llx\n", options.scene.c_str(), options.setting.c_str(),
               seen.tickMs.size(), spent, static_cast<unsigned long long>(seen.hash));
+  for (std::size_t i = 0; i < allFigures().size(); ++i)
+    if (const Figure& figure = allFigures()[i]; figure.scene == options.scene && figure.of != nullptr)
+      std::printf("  %s %s %s\n", std::string(figure.name).c_str(), shortly(figure.of(seen)).c_str(),
+                  std::string(figure.unit).c_str());
   return 0;
 }
 

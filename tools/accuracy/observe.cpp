@@ -182,13 +182,4 @@ Observation observePanes(const PanesDef& def, const physics::Accuracy& accuracy)
   return play(world, stage, false);
 }
 
-Observation timeOf(const Scene& scene, const physics::Accuracy& accuracy, int variant) {
-  const std::unique_ptr<World> world = makeWorld(scene, accuracy, variant);
-  const Stage stage = scene.build(*world, variant);
-  Observation seen;
-  for (int tick = 0; tick < ticksOf(stage.seconds); ++tick) stepTimed(*world, seen);
-  seen.hash = world->stateHash();
-  return seen;
-}
-
 }  // namespace brittle::accuracy

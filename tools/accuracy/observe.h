@@ -37,7 +37,5 @@ struct Observation {
 Observation observe(const Scene& scene, const physics::Accuracy& accuracy, int variant);
 /// The same of panes that are no variant of a scene.
 Observation observePanes(const PanesDef& def, const physics::Accuracy& accuracy);
-/// Only steps, and fills in tickMs and hash.
-Observation timeOf(const Scene& scene, const physics::Accuracy& accuracy, int variant);
 
 }  // namespace brittle::accuracy

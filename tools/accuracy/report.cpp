@@ -55,7 +55,7 @@ std::string machine(const Outcome& outcome) {
   return "Measured on: " + processorName() + ", " + std::to_string(std::thread::hardware_concurrency()) +
          " cores; compiler " + __VERSION__ + ", " + BRITTLE_FLAGS + "; " + (outcome.quick ? "quick" : "full") +
          " run, " + shortly(outcome.minutes) + " minutes of processor time, " +
-         std::to_string(Effort{outcome.quick}.repeats()) + " interleaved repeats. " +
+         std::to_string(Effort{outcome.quick}.rounds()) + " interleaved rounds. " +
          (outcome.countsInstructions ? "Instructions are those of World::step in the scene " +
                                            std::string(kCountedScene) + ", counted by callgrind.\n\n"
                                      : "Instructions were not counted (--instructions does).\n\n");

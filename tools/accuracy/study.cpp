@@ -11,32 +11,48 @@ double sumOf(const std::vector<double>& values) {
   return sum;
 }
 
-/// What one setting took in all repeats.
+double meanOf(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : sumOf(values) / static_cast<double>(values.size());
+}
+
+/// What one setting showed and took in all rounds.
 struct Taken {
-  std::vector<double> perSecond;            // of each repeat [ms/s]
-  std::vector<std::vector<double>> scenes;  // by scene, of each repeat
-  std::vector<double> ticks;                // all [ms]
-  std::vector<double> roomTicks;            // all [ms]
+  std::vector<std::vector<Observation>> seen;  // by scene, of each variant
+  std::vector<double> perSecond;               // of each round, mean of the scenes [ms/s]
+  std::vector<std::vector<double>> scenes;     // by scene, of each round [ms/s]
+  std::vector<double> ticks;                   // all [ms]
+  std::vector<double> roomTicks;               // all [ms]
   double roomBreaks = 0.0;
 };
 
-void timeOnce(const Setting& setting, const Effort& effort, Taken& taken) {
+/// The variants of a scene that are played in one of the rounds.
+std::vector<int> variantsOf(int all, int round, int rounds) {
+  if (all > 0 && all < rounds) return {round % all};
+  std::vector<int> variants;
+  for (int i = all * round / rounds; i < all * (round + 1) / rounds; ++i) variants.push_back(i);
+  return variants;
+}
+
+void playRound(const Setting& setting, const Effort& effort, int round, Taken& taken, const Advance& advance) {
   const auto scenes = allScenes();
+  taken.seen.resize(scenes.size());
   taken.scenes.resize(scenes.size());
-  double rates = 0.0;
+  std::vector<double> rates;
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     double spent = 0.0, seconds = 0.0;
-    for (int variant = 0; variant < effort.timed(scenes[s]); ++variant) {
-      const Observation seen = timeOf(scenes[s], setting.accuracy, variant);
+    for (const int variant : variantsOf(effort.variants(scenes[s]), round, effort.rounds())) {
+      Observation seen = observe(scenes[s], setting.accuracy, variant);
       spent += sumOf(seen.tickMs);
       seconds += static_cast<double>(kTick) * static_cast<double>(seen.tickMs.size());
       taken.ticks.insert(taken.ticks.end(), seen.tickMs.begin(), seen.tickMs.end());
+      if (taken.seen[s].size() == static_cast<std::size_t>(variant)) taken.seen[s].push_back(std::move(seen));
     }
+    advance();
     if (seconds == 0.0) continue;
-    taken.scenes[s].push_back(spent / seconds);
-    rates += spent / seconds;
+    rates.push_back(spent / seconds);
+    taken.scenes[s].push_back(rates.back());
   }
-  taken.perSecond.push_back(rates / static_cast<double>(scenes.size()));
+  taken.perSecond.push_back(meanOf(rates));
 }
 
 Status playRoom(const Setting& setting, const Room& room, Taken& taken) {
@@ -49,7 +65,7 @@ Status playRoom(const Setting& setting, const Room& room, Taken& taken) {
 
 Cost costOf(const Taken& taken) {
   Cost cost;
-  cost.perSecond = quantileOf(taken.perSecond, 0.5);
+  cost.perSecond = meanOf(taken.perSecond);
   cost.low = quantileOf(taken.perSecond, 0.0);
   cost.high = quantileOf(taken.perSecond, 1.0);
   cost.medianTick = quantileOf(taken.ticks, 0.5);
@@ -57,7 +73,7 @@ Cost costOf(const Taken& taken) {
   cost.roomMedian = quantileOf(taken.roomTicks, 0.5);
   cost.roomP99 = quantileOf(taken.roomTicks, 0.99);
   cost.roomBreaks = taken.roomBreaks;
-  for (const std::vector<double>& scene : taken.scenes) cost.scenes.push_back(quantileOf(scene, 0.5));
+  for (const std::vector<double>& scene : taken.scenes) cost.scenes.push_back(meanOf(scene));
   return cost;
 }
 
@@ -73,24 +89,18 @@ std::vector<std::size_t> differentOf(const std::vector<Setting>& settings) {
 
 }  // namespace
 
-int Effort::observed(const Scene& scene) const {
+int Effort::variants(const Scene& scene) const {
   if (scene.name == "panes") return quick ? 4 : 8;
   if (scene.name == "grazes") return quick ? 16 : scene.variants;
-  if (scene.name == "flood") return quick ? 0 : 2;
+  if (scene.name == "flood") return quick ? 0 : 4;
   return quick ? 1 : scene.variants;
-}
-
-int Effort::timed(const Scene& scene) const {
-  if (scene.name == "grazes") return quick ? 4 : 16;
-  if (scene.name == "flood") return quick ? 0 : 1;
-  return quick ? 1 : 2;
 }
 
 Reference playAll(const physics::Accuracy& accuracy, const Effort& effort, const Advance& advance) {
   Reference all;
   for (const Scene& scene : allScenes()) {
     std::vector<Observation>& seen = all.emplace_back();
-    for (int variant = 0; variant < effort.observed(scene); ++variant)
+    for (int variant = 0; variant < effort.variants(scene); ++variant)
       seen.push_back(observe(scene, accuracy, variant));
     advance();
   }
@@ -98,27 +108,25 @@ Reference playAll(const physics::Accuracy& accuracy, const Effort& effort, const
 }
 
 int stepsOf(const std::vector<Setting>& settings, const Effort& effort) {
-  return static_cast<int>(differentOf(settings).size()) * (static_cast<int>(allScenes().size()) + effort.repeats());
+  return static_cast<int>(differentOf(settings).size() * allScenes().size()) * effort.rounds();
 }
 
 Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Reference& reference, const Room& room,
                                   const Effort& effort, const Advance& advance) {
   const std::vector<std::size_t> different = differentOf(settings);
-  std::vector<Scored> measured(different.size());
-  for (std::size_t i = 0; i < different.size(); ++i) {
-    measured[i].errors = errorsOf(playAll(settings[different[i]].accuracy, effort, advance), reference);
-    measured[i].score = scoreOf(measured[i].errors);
-  }
   std::vector<Taken> taken(different.size());
-  for (int repeat = 0; repeat < effort.repeats(); ++repeat)
+  for (int round = 0; round < effort.rounds(); ++round)
     for (std::size_t i = 0; i < different.size(); ++i) {
       const Setting& setting = settings[different[i]];
-      timeOnce(setting, effort, taken[i]);
-      if (const Status played = repeat == 0 ? playRoom(setting, room, taken[i]) : Done{}; !played)
-        return played.error();
-      advance();
+      playRound(setting, effort, round, taken[i], advance);
+      if (const Status played = round == 0 ? playRoom(setting, room, taken[i]) : Done{}; !played) return played.error();
     }
-  for (std::size_t i = 0; i < different.size(); ++i) measured[i].cost = costOf(taken[i]);
+  std::vector<Scored> measured(different.size());
+  for (std::size_t i = 0; i < different.size(); ++i) {
+    measured[i].errors = errorsOf(taken[i].seen, reference);
+    measured[i].score = scoreOf(measured[i].errors);
+    measured[i].cost = costOf(taken[i]);
+  }
   markFront(measured);
   std::vector<Scored> scored;
   for (const Setting& setting : settings) {

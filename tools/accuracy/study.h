@@ -1,5 +1,6 @@
-// accuracy/study.h - plays every scene at every setting: once to see the errors, then again and again in turns for the
-// time, so that what else the machine does hits all settings alike.
+// accuracy/study.h - plays every scene at every setting, in rounds that all settings take in turn: what else the
+// machine does hits all of them alike. A play shows the errors and the time at once; where everything bursts each round
+// has seeds of its own, as a burst that goes otherwise takes up to half as long again.
 #pragma once
 
 #include <functional>
@@ -14,19 +15,18 @@ namespace brittle::accuracy {
 /// How much is played.
 struct Effort {
   bool quick = false;
-  /// Variants of a scene whose errors are observed, and that are timed in each repeat.
-  int observed(const Scene& scene) const;
-  int timed(const Scene& scene) const;
-  int repeats() const { return quick ? 1 : 3; }
+  /// Of a scene, shared out among the rounds; where there are fewer than rounds, they are played again.
+  int variants(const Scene& scene) const;
+  int rounds() const { return quick ? 1 : 4; }
   int roomTicks() const { return quick ? 200 : 900; }
 };
 
-/// Processor time: per simulated second, median of the repeats, with the least and the most; of single ticks.
+/// Processor time: per simulated second, mean of the rounds, with the least and the most; of single ticks.
 struct Cost {
   double perSecond = 0.0, low = 0.0, high = 0.0;  // [ms/s], mean of the scenes
   double medianTick = 0.0, p99Tick = 0.0;         // over the ticks of all scenes [ms]
   double instructions = 0.0;                      // per simulated second of one scene [1/s]; 0: not counted
-  std::vector<double> scenes;                     // per simulated second of each scene, median of the repeats [ms/s]
+  std::vector<double> scenes;                     // per simulated second of each scene, mean of the rounds [ms/s]
   double roomMedian = 0.0, roomP99 = 0.0;         // of whole ticks of the game in the room [ms]
   double roomBreaks = 0.0;
 };
