@@ -11,7 +11,7 @@ constexpr std::array<EffectInfo, kEffects> kInfos = {{
     {"joints", Kind::Physical, "mgCreateHingeJoint, -BallJoint, -SliderJoint, -Rope"},
     {"drives", Kind::Physical, "mgMove and mgRotate with a strength"},
     {"debris", Kind::Physical, "a shape with a force limit"},
-    {"stacks", Kind::Physical, "eight slow bodies on one another, or two where one is thin"},
+    {"stacks", Kind::Physical, "slow bodies that stand on one another"},
     {"water", Kind::Physical, "<water>"},
     {"explosions", Kind::Physical, "<powerup type=\"nitroballs\"> or \"barrel\""},
     {"lasers", Kind::Physical, "mgLaser"},

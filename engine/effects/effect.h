@@ -15,7 +15,7 @@ enum class Effect : std::uint8_t {
   Joints,      // ropes, hinges, sliders, welds
   Drives,      // soft pulls towards a pose
   Debris,      // crumbs too small to be bodies
-  Stacks,      // tall piles that stand
+  Stacks,      // piles that stand
   Water,       // slows what falls into it; ripples
   Explosions,  // of nitro balls and barrels
   Lasers,      // beams that hurt

@@ -37,7 +37,7 @@ struct Accuracy {
   std::int32_t maxDebris = 512;         // light pieces alive at once, to 1e6; the oldest are recycled. What is only
                                         // seen keeps to shares of it (game/view/omission.h)
   std::int32_t maxBodies = 2048;        // dynamic pieces alive at once, to 1e6; the oldest resting ones become debris
-  bool stacks = true;                   // piles that are tall or of thin bodies are held from below (stack.h)
+  bool stacks = true;                   // what stands on each other is held from below (stack.h)
   float directSolveMassRatio = 200.0f;  // contacts of bodies further apart in mass: solved at once [-]; 0: never
 
   template <class Archive>

@@ -19,6 +19,10 @@ constexpr float kCrackSlop = 1e-4f;  // facing faces closer than this hang toget
 constexpr float kBreakableVolumeRatio =
     30.0f;  // a piece breaks again from this many times the smallest piece's volume [-]
 
+// Glass opens where it was pressed: a strike that paid less than this share of the hardest one merely touches what
+// breaks. Shards that a ball drives before it would each open a hole else, and grind to dust what it breaks. [-]
+constexpr float kPressed = 0.25f;
+
 using fracture::Fracture;
 using fracture::Piece;
 
@@ -241,12 +245,13 @@ void gatherBreakings(State& state) {
   for (std::size_t first = 0, end = 0; first < list.size(); first = end) {
     const auto firstImpact = static_cast<std::uint32_t>(impacts.size());
     const Strike* hardest = nullptr;
-    for (end = first; end < list.size() && list[end].struck == list[first].struck; ++end) {
-      if (!list[end].saturated || !list[end].mayBreak) continue;
-      impacts.push_back(impactOf(state, list[end]));
-      if (hardest == nullptr || list[end].approachSpeed > hardest->approachSpeed) hardest = &list[end];
-    }
+    for (end = first; end < list.size() && list[end].struck == list[first].struck; ++end)
+      if (list[end].saturated && list[end].mayBreak && (hardest == nullptr || list[end].impulse > hardest->impulse))
+        hardest = &list[end];
     if (hardest == nullptr) continue;
+    for (std::size_t i = first; i < end; ++i)
+      if (list[i].saturated && list[i].mayBreak && list[i].impulse >= kPressed * hardest->impulse)
+        impacts.push_back(impactOf(state, list[i]));
     sortByPlace(impacts, firstImpact);
     const Body& struck = state.bodies[hardest->struck];
     const BreakEvent event{
@@ -326,9 +331,12 @@ void breakHeld(State& state) {
     if (!state.bodies.contains(first.struck) || state.bodies[first.struck].brokenTick == state.tick) continue;
     std::vector<fracture::Impact>& impacts = state.impacts;
     impacts.clear();
+    float most = 0.0f;
+    for (const Held& other : held)
+      if (other.struck == first.struck) most = maxOf(most, other.impulse);
     for (const Held& other : held) {
       if (!(other.struck == first.struck)) continue;
-      impacts.push_back(other.impact);
+      if (other.impulse >= kPressed * most) impacts.push_back(other.impact);
       if (state.bodies.contains(other.striker))
         charge(state, other.striker, other.struck, state.bodies[first.struck].breaking.strength);
     }

@@ -11,8 +11,8 @@
 namespace brittle::physics {
 namespace {
 constexpr float kUpright = 0.98f;   // cosine: what is steeper than 11 degrees rather wedges than bears (measured) [-]
-constexpr std::uint32_t kTall = 8;  // bodies: the default sweeps hold what is lower (measured) [-]
-constexpr float kThin = 8.0f;       // of what gravity moves a body in a tick: inner radius below which it is thin [-]
+constexpr std::uint32_t kPile = 2;  // bodies that stand on each other and are held [-]
+constexpr int kTall = 4;            // bodies: the default sweeps do for what is lower (measured) [-]
 constexpr int kRoundsPerLevel = 2;  // measured: with one, a stack that must fall stays for two seconds
 constexpr int kMostRounds = 200;    // whatever the height
 constexpr int kSweeps = 10;         // over the supports of one body; most need two
@@ -57,14 +57,11 @@ void forEachSupport(const State& state, BodyHandle handle, float dt, Visit&& vis
 
 void Stacks::findStanding(const State& state, float dt) {
   standing_.clear();
-  isThin_ = false;
-  const float thin = kThin * fallOf(state, dt);
   const float slowest = kSlow * state.gravity.norm() * dt;
   state.bodies.forEach([&](BodyHandle handle, const Body& body) {
     if (!body.isDynamic() || !body.awake) return;
     if (body.velocity.norm() + body.angularVelocity.norm() * body.radius > slowest) return;
     standing_.push_back({-state.gravity.dot(body.center), handle});
-    isThin_ = isThin_ || body.innerRadius < thin;
   });
 }
 
@@ -124,14 +121,13 @@ void Stacks::measure(const State& state, float dt) {
   height_ = 0;
   if (!state.accuracy.stacks || state.gravity.isZero()) return;
   findStanding(state, dt);
-  const std::uint32_t lowest = isThin_ ? 2 : kTall;
-  if (standing_.size() < lowest) return;
+  if (standing_.size() < kPile) return;
   const std::uint32_t tallest = findLevels(state, dt);
-  if (tallest >= lowest) height_ = static_cast<int>(tallest);
+  if (tallest >= kPile) height_ = static_cast<int>(tallest);
 }
 
 int Stacks::rounds() const {
-  return height_ < static_cast<int>(kTall) ? 0 : minOf(kRoundsPerLevel * height_, kMostRounds);
+  return height_ < kTall ? 0 : minOf(kRoundsPerLevel * height_, kMostRounds);
 }
 
 void Stacks::hold(State& state, float dt) {

@@ -1,11 +1,10 @@
-// physics/stack.h - what stands on each other high up. A sweep of the solver carries a load on by about one body: how
-// many it takes grows with the square of a stack's height, and for its bending with the fourth power. With the sweeps
-// that other scenes need a tall wall sinks while its loads build up, then bends and falls. So for tall stacks, and only
-// for them, the solver runs more and better rounds; and the motion these leave to bodies that stand is taken out from
-// below, each body seeing those under it as immovable. Thin bodies need that at any height: what the sweeps leave is a
-// part of the way that gravity moves a body in a tick, and two plates of 1 mm sank into each other by half of it.
-// Impulses stay the solver's, and so does what must fall: rounds that have converged leave nothing to take out. Source:
-// Guendelman, Bridson, Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003 (shock propagation).
+// physics/stack.h - what stands on each other. A sweep of the solver carries a load on by about one body: how many it
+// takes grows with the square of a stack's height, and for its bending with the fourth power. With the sweeps that
+// other scenes need six blocks sink and lean by centimetres while their loads build up, a wall bends and falls, and
+// plates of 1 mm sink into each other by half of it. So from four bodies on the solver runs more and better rounds; and
+// the motion that sweeps and rounds leave to bodies that stand is taken out from below, each body seeing those under it
+// as immovable. Impulses stay the solver's, and so does what must fall: rounds that have converged leave nothing to
+// take out. Source: Guendelman, Bridson, Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003 (shock propagation).
 #pragma once
 
 #include <cstdint>
@@ -33,7 +32,7 @@ class Stacks {
   void measure(const State& state, float dt);
   /// What the solver needs for that: rounds of ContactSolver::solveTall; 0: its usual sweeps will do.
   int rounds() const;
-  /// Of the tallest pile [bodies]; 0: none is tall or of thin bodies.
+  /// Of the tallest pile [bodies]; 0: nothing stands on another body that moves.
   int height() const { return height_; }
   /// Once velocities are final, before positions are integrated.
   void hold(State& state, float dt);
@@ -53,8 +52,7 @@ class Stacks {
   std::vector<Standing> standing_;    // in order of height
   std::vector<std::uint32_t> level_;  // by body slot: bodies between it and the ground, itself included; 0: none
   std::vector<Support> supports_;
-  int height_ = 0;       // [bodies]
-  bool isThin_ = false;  // one of those that stand is
+  int height_ = 0;  // [bodies]
 };
 
 }  // namespace brittle::physics

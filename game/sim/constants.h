@@ -7,7 +7,7 @@
 namespace brittle::sim::rules {
 
 /// Raised by every change that changes results: a replay of another version is refused.
-inline constexpr std::uint32_t kSimulationVersion = 7;
+inline constexpr std::uint32_t kSimulationVersion = 8;
 
 // Time.
 inline constexpr int kTickRate = 60;                 // [ticks/s], format

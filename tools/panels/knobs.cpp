@@ -55,7 +55,7 @@ bool solving(Accuracy& a) {
   bool isChanged = whole("iterations", a.iterations, 1, 1000);
   isChanged |= whole("push-out iterations", a.positionIterations, 0, 100);
   isChanged |= whole("substeps", a.substeps, 1, 64);
-  isChanged |= ImGui::Checkbox("tall piles stand", &a.stacks);
+  isChanged |= ImGui::Checkbox("piles stand", &a.stacks);
   isChanged |= choice("manifold", a.manifold.kind, "incremental\0clipped\0");
   isChanged |= real("speculative margin", a.speculativeMargin, 0.0f, 0.2f, "%.3f m");
   isChanged |= real("direct mass ratio", a.directSolveMassRatio, 0.0f, 1000.0f, "%.0f");

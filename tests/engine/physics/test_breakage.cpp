@@ -1,6 +1,7 @@
 // What breaks within one round breaks together, and what the older ways of breaking cost.
 #include <gtest/gtest.h>
 
+#include "engine/core/random.h"
 #include "tests/engine/physics/scene.h"
 
 namespace brittle::physics {
@@ -28,6 +29,42 @@ TEST(Breakage, WhatIsStruckAndStrikesBreaksWithWhatItStruck) {
     EXPECT_NEAR((totalsOf(world).momentum - before).norm(), 0.0, 1e-5 * 20.0 * 10.0);  // of one block
     for (int i = 0; i < 10; ++i) world.step(kTick);
   }
+}
+
+/// Balls, one after another, through two standing panes: how many pieces a breaking makes, over so many seeds.
+double piecesOf(int iterations) {
+  double pieces = 0.0, breaks = 0.0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(12, seed);
+    WorldDef def;
+    def.accuracy.iterations = iterations;
+    World world(def);
+    addFloor(world);
+    for (const float z : {0.5f, -1.0f}) {
+      BodyDef pane = bodyAt(Vec3(0.0f, 1.0f, z), BodyType::Static);
+      pane.breakable.strength = 20.0f;
+      world.anchor(addBox(world, pane, Vec3(1.5f, 1.0f, 0.015f), shapeDef(2500.0f)));
+    }
+    for (int i = 0; i < 6; ++i) {
+      const float flight = 0.05f + 0.15f * static_cast<float>(i);  // until it is at the first pane [s]
+      const float x = random.nextFloat(-1.2f, 1.2f);
+      const float y = random.nextFloat(0.4f, 1.6f);
+      addBall(world, Vec3(x, y, 1.5f + 18.0f * flight), Vec3(0.0f, 4.9f * flight, -18.0f), 0.1f, 8.0f, 0.2f);
+    }
+    for (int tick = 0; tick < 90; ++tick) {
+      world.step(kTick);
+      for (const BreakEvent& event : world.events().breaks) pieces += event.pieces;
+      breaks += static_cast<double>(world.events().breaks.size());
+    }
+  }
+  return pieces / breaks;
+}
+
+// Shards that a ball drives before it strike the second pane with it and share what breaks it. When each of them opened
+// a hole of its own, ten sweeps made half as many pieces again as eleven.
+TEST(Breakage, HowFinelyGlassBreaksIsNoQuestionOfSweeps) {
+  const double ten = piecesOf(10);
+  for (const int iterations : {9, 11, 12}) EXPECT_NEAR(piecesOf(iterations) / ten, 1.0, 0.15) << iterations;
 }
 
 struct Shot {
