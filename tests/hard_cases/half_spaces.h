@@ -18,14 +18,12 @@ struct OtherCell {
 };
 
 /// The part of a box about the origin that lies below all planes and holds `inside`.
-inline OtherCell otherCell(const Vec3d& half, const Vec3d& inside, std::span<const Plane> planes) {
+inline OtherCell otherCell(const Vec3d& half, const Vec3d& inside, std::span<const PlaneT<double>> planes) {
   voro::voronoicell cell;
   const Vec3d low = -half - inside, high = half - inside;
   cell.init(low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
-  for (const Plane& plane : planes) {
-    const Vec3d normal = plane.normal.cast<double>();
-    cell.plane(normal.x(), normal.y(), normal.z(), 2.0 * (static_cast<double>(plane.offset) - normal.dot(inside)));
-  }
+  for (const PlaneT<double>& plane : planes)
+    cell.plane(plane.normal.x(), plane.normal.y(), plane.normal.z(), 2.0 * (plane.offset - plane.normal.dot(inside)));
   OtherCell found;
   found.volume = cell.volume();
   std::vector<double> areas;

@@ -75,7 +75,9 @@ class Twins {
 void expectCell(const std::vector<Plane>& planes) {
   Twins twins;
   for (const Plane& plane : planes) ASSERT_NO_FATAL_FAILURE(twins.cut(plane));
-  const OtherCell other = otherCell(Vec3d::Ones(), Vec3d::Zero(), planes);
+  std::vector<PlaneT<double>> same;
+  for (const Plane& plane : planes) same.push_back({plane.normal.cast<double>(), static_cast<double>(plane.offset)});
+  const OtherCell other = otherCell(Vec3d::Ones(), Vec3d::Zero(), same);
   const double off = std::abs(volumeOf<double>(twins.cell()) / other.volume - 1.0);
   EXPECT_LE(off, 2e-6);
   EXPECT_LE(facesOf(twins.cell()), other.faces);
