@@ -1,5 +1,7 @@
 #include "engine/physics/heap.h"
 
+#include <algorithm>
+
 #include "engine/physics/contact_graph.h"
 #include "engine/physics/state.h"
 
@@ -35,6 +37,15 @@ bool hangs(const State& state, const Heap& heap) {
   return found;
 }
 
+bool isDriven(const State& state, const Heap& heap) {
+  bool found = false;
+  state.drives.forEach([&](DriveHandle, const Drive& drive) {
+    found = found || std::any_of(heap.bodies.begin(), heap.bodies.end(),
+                                 [&](BodyHandle body) { return state.bodies[body].assembly == drive.def.assembly; });
+  });
+  return found;
+}
+
 }  // namespace
 
 void gatherHeap(const State& state, BodyHandle body, Heap& heap) {
@@ -45,7 +56,7 @@ void gatherHeap(const State& state, BodyHandle body, Heap& heap) {
   for (std::size_t i = 0; i < heap.bodies.size(); ++i)
     forEachShape(state, state.bodies[heap.bodies[i]],
                  [&](ShapeHandle, const Shape& shape) { addNeighbours(state, shape, heap); });
-  heap.isCarried = heap.isCarried || hangs(state, heap);
+  heap.isCarried = heap.isCarried || hangs(state, heap) || isDriven(state, heap);
 }
 
 }  // namespace brittle::physics

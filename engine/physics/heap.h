@@ -12,7 +12,7 @@ struct State;
 struct Heap {
   std::vector<BodyHandle> bodies;  // dynamic ones; the one that was asked for first
   std::vector<bool> isIn;          // by body slot: whether it is one of them
-  bool isCarried = false;  // one of them hangs by a joint, or touches something animated: it goes where that goes
+  bool isCarried = false;          // one of them hangs by a joint, is driven or touches something animated
 };
 
 /// From `body`, which is dynamic, over all that touched at the end of the last tick; static bodies are the ends.

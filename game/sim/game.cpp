@@ -10,7 +10,7 @@ namespace brittle::sim {
 namespace {
 
 /// Raised whenever a snapshot's layout or the meaning of an input changes.
-constexpr std::uint32_t kSnapshotVersion = 2;
+constexpr std::uint32_t kSnapshotVersion = 3;
 /// Added to it in snapshots of a game that has power-ups: those stand behind the globals.
 constexpr std::uint32_t kWithPowerUps = 0x10000;
 
@@ -42,6 +42,7 @@ struct Game::Impl {
   void emit(EventType type, PowerUp kind);
   void usePowerUps(std::uint8_t buttons);
   TimeStep passTime();
+  void listOmissions(std::vector<NamedCount>& counts) const;
   bool hasPowerUps() const {
     return !session.inventory.isEmpty() || !session.clock.isWhole() || session.explosions > 0;
   }
@@ -252,6 +253,8 @@ bool Game::restore(ByteReader& in) {
   if (!in.ok() || impl_->stage.phase > Phase::GameOver || !impl_->track->restore(in)) return false;
   session.globals = globals;  // rooms made anew have run their scripts: what those set is in here already
   session.events.clear();
+  session.omissions = {};
+  session.worldOmissions = {};
   impl_->refreshHud();
   return true;
 }
@@ -328,13 +331,16 @@ float Game::gravity() const {
   return rules::kGravity * impl_->track->current().gravity();
 }
 std::vector<NamedCount> Game::omissions() const {
-  Tally<physics::Omission> worlds = impl_->session.worldOmissions;
-  worlds.add(impl_->track->current().world().counters().omissions);
-  if (const Room* next = impl_->track->next()) worlds.add(next->world().counters().omissions);
   std::vector<NamedCount> counts;
-  worlds.list(counts);
-  impl_->session.omissions.list(counts);
+  impl_->listOmissions(counts);
   return counts;
+}
+void Game::Impl::listOmissions(std::vector<NamedCount>& counts) const {
+  Tally<physics::Omission> worlds = session.worldOmissions;
+  worlds.add(track->current().world().counters().omissions);
+  if (const Room* next = track->next()) worlds.add(next->world().counters().omissions);
+  worlds.list(counts);
+  session.omissions.list(counts);
 }
 const effects::EffectSet& Game::effects() const {
   return impl_->track->current().effects();
@@ -362,7 +368,8 @@ void Game::copyFrame(FramePacket& packet) const {
   packet.events = session.events;
   packet.soundNames = session.soundNames;
   packet.hud = impl_->hud;
-  packet.omissions = omissions();
+  packet.omissions.clear();
+  impl_->listOmissions(packet.omissions);
   packet.maxDebris = session.def.accuracy.maxDebris;
 }
 

@@ -39,10 +39,11 @@ void Room::removeBehind() {
       std::remove_if(balls_.begin(), balls_.end(), [this](const Ball& ball) { return !world_->isAlive(ball.body); }),
       balls_.end());
   goOn(leaving, time_.isWhole() ? 1 : 0, unseen_);
-  removeUnseen(bodiesOf);
+  if (time_.isWhole()) removeUnseen(bodiesOf);
+  // Crumbs in flight may bounce back into view.
   world_->removeCrumbs([&](const physics::Crumb& crumb) {
     return crumb.position.z() - crumb.radius > behind || crumb.position.y() + crumb.radius < rules::kFallDepth ||
-           isLeaving(view, moverOf(crumb));
+           (crumb.resting && isLeaving(view, moverOf(crumb)));
   });
   settleObstacles(bodiesOf);
 }
@@ -51,10 +52,14 @@ void Room::removeBehind() {
 /// moves because something unseen was taken out.
 void Room::removeUnseen(std::vector<std::uint32_t>& bodiesOf) {
   physics::Heap heap;
+  std::vector<bool> asked;  // by body slot: a heap is gathered once
   for (const Unseen& one : unseen_) {
     // Of what has to stay, each asks once in that time.
     if (one.ticks == 0 || one.ticks % rules::kUnseenTicks != 0 || !world_->isAlive(one.body)) continue;
+    if (one.body.index < asked.size() && asked[one.body.index]) continue;
     world_->heapOf(one.body, heap);
+    asked.resize(heap.isIn.size());
+    for (const physics::BodyHandle body : heap.bodies) asked[body.index] = true;
     if (heap.isCarried || !std::all_of(heap.bodies.begin(), heap.bodies.end(),
                                        [this](physics::BodyHandle body) { return isForgotten(body); }))
       continue;

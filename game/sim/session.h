@@ -39,7 +39,7 @@ struct Session {
   Clock clock;
   std::uint32_t explosions = 0;  // since the start
   std::uint64_t tick = 0;
-  Tally<Omission> omissions;                // since the game was made
+  Tally<Omission> omissions;                // since the game was made or restored
   Tally<physics::Omission> worldOmissions;  // of rooms that are left
   std::vector<Event> events;                // of this tick
   std::vector<Problem> problems;            // each text once

@@ -43,7 +43,9 @@ void addRunning(const sim::FramePacket& packet, render::Frame& frame) {
 
 void addOmissions(const std::vector<NamedCount>& counts, render::Frame& frame) {
   constexpr float left = kLeft + kNumberRight + 4.0f * kMargin;
-  int line = 0;
+  if (counts.empty()) return;
+  addCell(left, 0, render::HudAlign::Left, "left out since the start", frame);
+  int line = 1;
   for (const NamedCount& one : counts) {
     addCell(left, line, render::HudAlign::Left, one.name, frame);
     addCell(left + kCountRight, line++, render::HudAlign::Right, std::to_string(one.count), frame);

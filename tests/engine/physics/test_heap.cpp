@@ -58,5 +58,20 @@ TEST(Heap, IsCarriedByAJoint) {
   EXPECT_FALSE(heapOf(world, high).isCarried);
 }
 
+TEST(Heap, IsCarriedByADrive) {
+  World world;
+  addFloor(world);
+  const BodyHandle low = addCube(world, 0.0f, 0.1f), high = addCube(world, 0.0f, 0.3f);
+  DriveDef pull;
+  pull.assembly = world.body(low).assembly;
+  pull.drivePosition = true;
+  pull.position = Vec3(0.0f, 0.1f, 0.0f);
+  const DriveHandle drive = world.createDrive(pull);
+  for (int i = 0; i < 30; ++i) world.step(kTick);
+  EXPECT_TRUE(heapOf(world, high).isCarried);
+  world.destroyDrive(drive);
+  EXPECT_FALSE(heapOf(world, high).isCarried);
+}
+
 }  // namespace
 }  // namespace brittle::physics

@@ -77,9 +77,21 @@ TEST(Omissions, OfRoomsThatArePassedAreNotForgotten) {
   EXPECT_GE(crumbs(), last);
 }
 
+// Its rooms are made anew, and put off what they had put off before.
+TEST(Omissions, OfMakingARestoredGameAreNotCountedAgain) {
+  const content::MemorySource source =
+      withObstacles(450, "function init() mgStatic(1) mgCreateBox(mgCreateBody(), 1, 1, 1) end");
+  const auto saved = newTestGame(source), restored = newTestGame(source);
+  ByteWriter out;
+  saved->save(out);
+  ByteReader in(out.bytes());
+  ASSERT_TRUE(restored->restore(in));
+  EXPECT_EQ(countOf(*restored, nameOf(Omission::DeferredObstacle)), 0u);
+}
+
 TEST(Omissions, HaveANameEach) {
   EXPECT_STREQ(nameOf(Omission::BehindCamera), "bodies passed");
-  EXPECT_STREQ(nameOf(Omission::UntoldProblem), "problems not told");
+  EXPECT_STREQ(nameOf(Omission::UntoldProblem), "reports not told");
 }
 
 }  // namespace

@@ -177,12 +177,17 @@ TEST(Omissions, AreListedBesideTheTimes) {
   const float right = frame.texts[1].at.offset.x();
   frame.texts.clear();
   addOmissions({{"crumbs recycled", 12}, {"cuts refused", 3}}, frame);
-  ASSERT_EQ(frame.texts.size(), 4u);
-  EXPECT_EQ(frame.texts[0].text, "crumbs recycled");
-  EXPECT_EQ(frame.texts[1].text, "12");
-  EXPECT_EQ(frame.texts[3].text, "3");
-  EXPECT_GT(frame.texts[0].at.offset.x(), right);
-  EXPECT_LT(frame.texts[0].at.offset.y(), frame.texts[2].at.offset.y());
+  ASSERT_EQ(frame.texts.size(), 5u);
+  EXPECT_EQ(frame.texts[0].text, "left out since the start");
+  EXPECT_EQ(frame.texts[1].text, "crumbs recycled");
+  EXPECT_EQ(frame.texts[2].text, "12");
+  EXPECT_EQ(frame.texts[4].text, "3");
+  EXPECT_GT(frame.texts[1].at.offset.x(), right);
+  EXPECT_LT(frame.texts[0].at.offset.y(), frame.texts[1].at.offset.y());
+  EXPECT_LT(frame.texts[1].at.offset.y(), frame.texts[3].at.offset.y());
+  frame.texts.clear();
+  addOmissions({}, frame);
+  EXPECT_TRUE(frame.texts.empty());
   EXPECT_STREQ(nameOf(Omission::CoveredSound), "covered sounds") << "a name for each";
 }
 
