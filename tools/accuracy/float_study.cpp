@@ -13,13 +13,6 @@ using physics::World;
 
 constexpr float kFeather = 0.002f;  // [kg/m3] shards so light that what they take of a ball is below rounding
 
-template <class Play>
-FloatRow worstOf(std::string what, int variants, Play&& play) {
-  FloatRow row{std::move(what), 0.0, variants};
-  for (int i = 0; i < variants; ++i) row.worst = std::max<double>(row.worst, play(i));
-  return row;
-}
-
 double exitSpeedError(int panes, int phase, int phases) {
   PanesDef def{.panes = panes, .phase = static_cast<float>(phase) / static_cast<float>(phases)};
   def.density = kFeather;
@@ -56,15 +49,20 @@ double flightError(int variant) {
 
 }  // namespace
 
-std::vector<FloatRow> measureFloat(bool quick) {
-  const int phases = quick ? 8 : 64, seeds = quick ? 2 : 32, few = quick ? 4 : 16;
-  return {
-      worstOf("exit speed behind one pane, of its speed", phases, [&](int i) { return exitSpeedError(1, i, phases); }),
-      worstOf("exit speed behind six panes, of its speed", phases, [&](int i) { return exitSpeedError(6, i, phases); }),
-      worstOf("momentum while a block shatters (1 s), of all there is", seeds, momentumError),
-      worstOf("speed of a box at rest, of what gravity adds in a tick", few, restError),
-      worstOf("place after a flight of 600 ticks, of the way", few, flightError),
+std::vector<FloatRow> measureFloat(const Effort& effort, const Advance& advance) {
+  const int phases = effort.quick ? 8 : 64, seeds = effort.quick ? 2 : 32, few = effort.quick ? 4 : 16;
+  std::vector<FloatRow> rows;
+  const auto measure = [&](const char* what, int variants, auto&& play) {
+    FloatRow& row = rows.emplace_back(FloatRow{what, 0.0, variants});
+    for (int i = 0; i < variants; ++i) row.worst = std::max<double>(row.worst, play(i));
+    advance();
   };
+  measure("exit speed behind one pane, of its speed", phases, [&](int i) { return exitSpeedError(1, i, phases); });
+  measure("exit speed behind six panes, of its speed", phases, [&](int i) { return exitSpeedError(6, i, phases); });
+  measure("momentum while a block shatters (1 s), of all there is", seeds, momentumError);
+  measure("speed of a box at rest, of what gravity adds in a tick", few, restError);
+  measure("place after a flight of 600 ticks, of the way", few, flightError);
+  return rows;
 }
 
 }  // namespace brittle::accuracy

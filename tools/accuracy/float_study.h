@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/accuracy/study.h"
+
 namespace brittle::accuracy {
 
 struct FloatRow {
@@ -13,7 +15,8 @@ struct FloatRow {
   int variants = 0;
 };
 
-/// At the default accuracy: motion and rest, with and without breaking.
-std::vector<FloatRow> measureFloat(bool quick);
+/// At the default accuracy: motion and rest, with and without breaking. Calls advance once a row.
+std::vector<FloatRow> measureFloat(const Effort& effort, const Advance& advance);
+inline constexpr int kFloatRows = 5;
 
 }  // namespace brittle::accuracy

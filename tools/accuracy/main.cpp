@@ -55,7 +55,7 @@ Result<Outcome> measure(const Options& options) {
   const int scenes = static_cast<int>(allScenes().size());
   const int steps = stepsOf(settings, effort) + 3 * scenes + phasesOf(outcome.modes) + phasesOf(outcome.claim) +
                     phasesOf(outcome.map) + static_cast<int>(outcome.thresholds.size()) + kPhaseRows + kSplitterRows +
-                    static_cast<int>(options.instructions ? settings.size() : 0);
+                    kFloatRows + static_cast<int>(options.instructions ? settings.size() : 0);
   program::Progress progress("measuring", static_cast<std::uint32_t>(steps));
   std::uint32_t done = 0;
   const Advance advance = [&] { progress.reached(++done); };
@@ -63,7 +63,7 @@ Result<Outcome> measure(const Options& options) {
   outcome.splitters = compareSplitters(effort, advance);
   outcome.phases = measurePhases(effort, advance);
   for (std::vector<PanesRow>* rows : {&outcome.modes, &outcome.claim, &outcome.map}) playRows(*rows, advance);
-  outcome.floats = measureFloat(options.quick);
+  outcome.floats = measureFloat(effort, advance);
   playThreshold(outcome.thresholds, advance);
   const Reference reference = playAll(referenceAccuracy(options.quick ? 4 : 1), effort, advance);
   for (const int fineness : options.quick ? std::vector<int>{} : std::vector<int>{4, 2})

@@ -10,7 +10,7 @@
 namespace brittle::accuracy {
 
 struct ThresholdRow {
-  std::string how;      // "3" rounds, "after capped", "3 to 8, 4 sub-steps", ...
+  std::string how;      // "3" rounds, "after capped", "4 iterations", "8 sub-steps", ...
   double beside = 0.0;  // balls come with J / (1 + beside) and with J (1 + beside) [-]
   int throws = 0;       // of either kind
   physics::Accuracy accuracy;
