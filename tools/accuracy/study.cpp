@@ -65,6 +65,7 @@ Status playRoom(const Setting& setting, const Room& room, Taken& taken) {
 
 Cost costOf(const Taken& taken) {
   Cost cost;
+  cost.rounds = taken.perSecond;
   cost.perSecond = meanOf(taken.perSecond);
   cost.low = quantileOf(taken.perSecond, 0.0);
   cost.high = quantileOf(taken.perSecond, 1.0);
@@ -141,7 +142,9 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
 void markFront(std::vector<Scored>& scored) {
   for (Scored& one : scored)
     one.isFront = std::none_of(scored.begin(), scored.end(), [&](const Scored& other) {
-      return other.score < one.score && other.cost.perSecond < one.cost.perSecond;
+      const std::vector<double>& mine = one.cost.rounds;
+      return other.score < one.score && std::equal(mine.begin(), mine.end(), other.cost.rounds.begin(),
+                                                   [](double own, double others) { return others < own; });
     });
 }
 

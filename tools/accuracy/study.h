@@ -24,6 +24,7 @@ struct Effort {
 /// Processor time: per simulated second, mean of the rounds, with the least and the most; of single ticks.
 struct Cost {
   double perSecond = 0.0, low = 0.0, high = 0.0;  // [ms/s], mean of the scenes
+  std::vector<double> rounds;                     // of each round, mean of the scenes [ms/s]
   double medianTick = 0.0, p99Tick = 0.0;         // over the ticks of all scenes [ms]
   double instructions = 0.0;                      // per simulated second of one scene [1/s]; 0: not counted
   std::vector<double> scenes;                     // per simulated second of each scene, mean of the rounds [ms/s]
@@ -36,7 +37,7 @@ struct Scored {
   std::vector<Deviation> errors;  // as allFigures
   double score = 0.0;
   Cost cost;
-  bool isFront = false;  // no other setting is both cheaper and better
+  bool isFront = false;  // no other setting is better and, in every round, cheaper
 };
 
 /// A step of the work is done.
@@ -50,7 +51,8 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
 /// How often `study` calls advance.
 int stepsOf(const std::vector<Setting>& settings, const Effort& effort);
 
-/// Marks what no other setting beats in both time and score.
+/// Marks what no other setting beats in both time and score: in time only if it does so in every round, on the same
+/// seeds.
 void markFront(std::vector<Scored>& scored);
 
 /// The value below which `part` of the values lie. 0: there are none.
