@@ -251,8 +251,14 @@ class CommandLine(unittest.TestCase):
             "function init() mgStatic(1) mgCreateBox(mgCreateBody(3, 0, 0), 1, 0.1, 0.1) end")
         explained = brittle("explain", "bar", "--assets", level.parent.parent, "--rooms", "1", "--json")
         self.assertEqual(explained.returncode, 0, explained.stderr)
-        left_out = json.loads(explained.stdout)[0]["left_out"]
-        self.assertGreaterEqual(left_out["bodies passed"], 2)
+        room = json.loads(explained.stdout)[0]
+        self.assertGreaterEqual(room["left_out"]["bodies passed"], 2)
+        for effect in room["effects"]:
+            for number in ["bytes", "ms_per_tick", "ms_per_frame"]:
+                self.assertIsInstance(effect[number], (int, float))
+                self.assertGreaterEqual(effect[number + "_noise"], 0)
+        table = brittle("explain", "bar", "--assets", level.parent.parent, "--rooms", "1").stdout
+        self.assertRegex(table, r"(?m)^  fog .* < 0\.\d{3} .*, 1 time$")  # fog costs no tick anything
 
     def test_a_script_cannot_throw_more_than_a_tick_holds(self):
         script = self.folder / "eager.lua"

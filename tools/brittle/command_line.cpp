@@ -173,7 +173,8 @@ void addExplain(CLI::App& app, Action& action) {
       ->check(CLI::Range(1u, 1000u));
   command->add_flag("--json", options->json, "a list of rooms instead of a table");
   command->footer(
-      "Each effect's price is measured against the same room with it switched off.\n\n"
+      "Each effect's price is measured against the same room with it switched off. '< 0.03': it cannot be told from "
+      "nothing, with a noise of 0.03; --json has the measured number and its noise.\n\n"
       "Examples:\n  brittle explain first\n  brittle explain first --rooms 1 --json");
   command->callback([options, &action] { action = [options] { return explain(*options); }; });
 }
