@@ -96,7 +96,7 @@ void main() {
   vec4 finish = materials.finish[vMaterial];
   vec3 n = surfaceNormal(vNormal, vPoint);
   float clear = clearAt(depthOf(vPoint));
-  if (clear <= 0.0) discard;
+  if (clear <= 0.0) discard;  // nothing of it is seen, or all in the other part
   vec3 v = toEye(vPoint);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   float fresnel = schlick(facing, 0.07);
