@@ -20,6 +20,13 @@ inline Error errorAt(const std::string& file, int line, const std::string& what)
   return {line > 0 ? file + ":" + std::to_string(line) + ": " + what : file + ": " + what};
 }
 
+/// Without line ends and other control characters: what was typed, or stands in a file, may hold some.
+inline std::string asOneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32) c = ' ';
+  return text;
+}
+
 template <class T>
 class [[nodiscard]] Result {
  public:

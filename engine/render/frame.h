@@ -144,7 +144,7 @@ struct Puff {
   float pattern = 0.0f;          // which: any number
 };
 
-/// Blur of what is far away.
+/// Blur of what is far away, translucent things too: those are blurred as what is behind them is.
 struct Focus {
   float distance = 10.0f;  // sharp up to here [m]
   float range = 10.0f;     // wholly blurred after so much more [m] > 0

@@ -73,6 +73,14 @@ vec3 fogColor() {
 }
 float depthOf(vec3 point) { return dot(point - frame.eye.xyz, frame.forward.xyz); }
 float fogAt(float depth) { return clamp((depth - frame.fogBottom.w) * frame.fogTop.w, 0.0, 1.0); }
+
+// How much of something translucent is drawn now. Where there is depth of field it is drawn twice: what is far away before the blur,
+// blurred as what is behind it, what is near after it, and what is between in both, so that it comes into focus smoothly.
+uniform vec4 focusPart;  // sharp up to here, 1 / range, share of what is near, share of what is far
+float partAt(float depth) {
+  return focusPart.z + (focusPart.w - focusPart.z) * smoothstep(0.0, 0.5, (depth - focusPart.x) * focusPart.y);
+}
+float clearAt(float depth) { return (1.0 - fogAt(depth)) * partAt(depth); }
 vec3 withFog(vec3 color, vec3 point) { return mix(color, fogColor(), fogAt(depthOf(point))); }
 
 // What a dull mirror shows in direction r: the fog's colours, dim below.

@@ -45,7 +45,7 @@ void main() {
   float core = smoothstep(1.0, 0.25, off);
   float halo = max(1.0 - off / 7.0, 0.0);
   vec3 light = vec3(1.0, 0.93, 0.90) * (core * 0.95) + vColor.rgb * (smoothstep(2.2, 0.4, off) * 0.9 + halo * halo * halo * 0.42);
-  result = vec4(light * (vColor.a * (1.0 - fogAt(depthOf(vPoint)))), 0.0);
+  result = vec4(light * (vColor.a * clearAt(depthOf(vPoint))), 0.0);
 }
 )"};
 

@@ -67,7 +67,7 @@ void main() {
   float along = dot(vAlong, middle);
   float flash = pow(max(1.0 - along * along, 0.0), 24.0);
   vec3 light = vColor.rgb * (0.35 + 0.65 * frame.high.rgb) * (0.55 + 0.9 * flash);
-  result = vec4(light, 0.85) * (vColor.a * (0.55 + 0.45 * flash) * cover * (1.0 - fogAt(depthOf(vPoint))));
+  result = vec4(light, 0.85) * (vColor.a * (0.55 + 0.45 * flash) * cover * clearAt(depthOf(vPoint)));
 }
 )"};
 
@@ -98,7 +98,7 @@ void main() {
   float disc = fall * fall;
   float rays = max(1.0 - 14.0 * abs(vAt.x * vAt.y) - 0.6 * length(vAt), 0.0) * fall;
   float light = mix(disc, rays + disc * disc * disc * 2.0, vForm.y);
-  float alpha = vColor.a * light * (1.0 - fogAt(depthOf(vPoint)));
+  float alpha = vColor.a * light * clearAt(depthOf(vPoint));
   result = vec4(vColor.rgb * alpha, alpha * vForm.x);
 }
 )"};
@@ -128,7 +128,7 @@ out vec4 result;
 void main() {
   float a = 1.0 - abs(vAcross);
   vec3 light = vColor.rgb * (a * a) + vec3(smoothstep(0.7, 0.95, a) * 0.8);
-  result = vec4(light * (vColor.a * (1.0 - fogAt(depthOf(vPoint)))), 0.0);
+  result = vec4(light * (vColor.a * clearAt(depthOf(vPoint))), 0.0);
 }
 )"};
 

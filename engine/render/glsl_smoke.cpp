@@ -47,7 +47,7 @@ void main() {
   vec3 normal = frame.right.xyz * vAt.x + frame.up.xyz * vAt.y - frame.forward.xyz * sqrt(body);
   float lit = 0.5 + 0.5 * dot(normal, frame.toLight.xyz);
   vec3 light = mix(frame.low.rgb * 0.6 + 0.14, frame.high.rgb * 0.8 + 0.45 * frame.lightColor.rgb, lit * (0.6 + 0.4 * cloud));
-  result = vec4(withFog(vColor.rgb * light, vPoint), 1.0) * alpha;
+  result = vec4(withFog(vColor.rgb * light, vPoint), 1.0) * (alpha * partAt(depth));
 }
 )"};
 

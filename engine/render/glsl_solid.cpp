@@ -95,6 +95,8 @@ void main() {
   vec4 surface = materials.surface[vMaterial];
   vec4 finish = materials.finish[vMaterial];
   vec3 n = surfaceNormal(vNormal, vPoint);
+  float clear = clearAt(depthOf(vPoint));
+  if (clear <= 0.0) discard;  // nothing of it is seen, or all in the other part
   vec3 v = toEye(vPoint);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   float fresnel = schlick(facing, 0.07);
@@ -132,7 +134,6 @@ void main() {
   } else {
     color += tint * (dot(through - even, vec3(0.333)) * 0.5);
   }
-  float clear = 1.0 - fogAt(depthOf(vPoint));
   result = vec4(color, 1.0 - even) * clear;
 }
 )"};

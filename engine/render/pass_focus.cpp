@@ -6,7 +6,6 @@ void Passes::focus(Target& target, const Focus& focus) {
   constexpr float widest = 0.011f;  // radius of the disc that a point far away becomes [picture heights]
   const Vec4 where(focus.distance, 1.0f / maxOf(focus.range, 1e-3f), focus.strength, 0.0f);
   const float aspect = static_cast<float>(target.height()) / static_cast<float>(target.width());
-  target.copyDepth(kUnitDepth);
   target.resolve(kUnitColor);
   setState(Depth::Off, Blend::Off, Faces::All);
   target.bindHalf(0);

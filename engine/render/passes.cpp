@@ -95,7 +95,7 @@ Status Passes::build(Which which) {
                                                           effects::kHasDepthOfField ? &glsl::kFar : nullptr,
                                                           effects::kHasDepthOfField ? &glsl::kDisc : nullptr,
                                                           effects::kHasDepthOfField ? &glsl::kFocus : nullptr};
-  static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap"};
+  static const char* const uniforms[kUniforms] = {"offset", "bend", "tint", "border", "tap", "focusPart"};
   Result<Program> program = Program::build(gl_, *sources[which]);
   if (!program) return program.error();
   programs_[which] = std::move(*program);
@@ -115,6 +115,7 @@ bool Passes::use(Which which) {
   }
   programs_[which].use();
   current_ = which;
+  if (locations_[which][kFocusPart] >= 0) set(kFocusPart, part_);
   return true;
 }
 
@@ -127,6 +128,11 @@ void Passes::bindTexture(GLint unit, GLuint texture) const {
   gl_.BindTexture(GL_TEXTURE_2D, texture);
 }
 
+void Passes::choose(Part part, const Focus& focus) {
+  part_ = Vec4(focus.distance, 1.0f / maxOf(focus.range, 1e-3f), part == Part::Far ? 0.0f : 1.0f,
+               part == Part::Near ? 0.0f : 1.0f);
+}
+
 void Passes::setMaterials(const MaterialUniforms& materials) {
   gl_.BindBuffer(GL_UNIFORM_BUFFER, materialBlock_.name());
   gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(materials), &materials, GL_DYNAMIC_DRAW);
@@ -134,6 +140,7 @@ void Passes::setMaterials(const MaterialUniforms& materials) {
 
 void Passes::begin(const FrameUniforms& uniforms) {
   counters_ = {};
+  choose(Part::Whole, {});
   gl_.BindBuffer(GL_UNIFORM_BUFFER, frameBlock_.name());
   gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frameBlock_.name());

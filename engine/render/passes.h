@@ -37,7 +37,7 @@ class Passes {
   void spheres(const std::vector<SphereInstance>& instances);
   void crumbs(const std::vector<CrumbInstance>& instances);
   void decals(const std::vector<DecalInstance>& instances);
-  /// Reads the depth copy, as refraction does.
+  /// Reads the depth copy, as refraction and depth of field do.
   void shadows(const std::vector<ShadowInstance>& instances);
   /// Reads the depth and the colour copy, unless `refraction` is 0 (see glass).
   void water(const Water& water, float refraction);
@@ -50,7 +50,10 @@ class Passes {
   void lasers(const std::vector<BeamInstance>& instances);
   /// Reads the depth copy.
   void puffs(const std::vector<PuffInstance>& instances);
-  /// Blurs what the scene shows so far where it is far away.
+  /// Which of what is translucent is drawn from here on; `focus` is drawn between Far and Near.
+  enum class Part { Whole, Far, Near };
+  void choose(Part part, const Focus& focus);
+  /// Blurs what the scene shows so far where it is far away by the depth copy.
   void focus(Target& target, const Focus& focus);
 
   // Into the picture:
@@ -89,7 +92,7 @@ class Passes {
     kPrograms
   };
   /// The vec4s a program may have of its own.
-  enum Uniform { kOffset, kBend, kTint, kBorder, kTap, kUniforms };
+  enum Uniform { kOffset, kBend, kTint, kBorder, kTap, kFocusPart, kUniforms };
   enum class Blend { Off, Over, Premultiplied, Add };
   enum class Depth { Off, Test, Write };
   enum class Faces { All, Front, Back };
@@ -113,7 +116,8 @@ class Passes {
   Which current_ = kBackgroundProgram;
   GlBuffer frameBlock_, mirrorBlock_, materialBlock_;
   bool inMirror_ = false;
-  GlVertexArray empty_;  // passes without attributes still need one bound
+  Vec4 part_ = Vec4::Zero();  // as clearAt in glsl_common.cpp reads it
+  GlVertexArray empty_;       // passes without attributes still need one bound
   GlTexture glyphs_, tiles_, decals_;
   SphereBatch sphereBatch_;
   InstanceBatch crumbBatch_, glowBatch_, beamBatch_, decalBatch_, shadowBatch_, edgeBatch_, hudBatch_, laserBatch_,

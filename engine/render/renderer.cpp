@@ -18,7 +18,11 @@ namespace brittle::render {
 
 namespace {
 
-constexpr int kMaxPicture = 16384;    // [pixels]
+constexpr int kMaxPicture = 16384;  // [pixels]
+bool blurs(const Frame& frame) {
+  return effects::kHasDepthOfField && frame.focus.strength > 0.0f;
+}
+
 constexpr float kRefraction = 0.07f;  // how far aside tilted glass looks [picture heights]; chosen by eye
 
 }  // namespace
@@ -52,9 +56,11 @@ struct Renderer::Parts {
   void drawRooms(const Frame& frame, bool polished);
   void drawMirrored(const Frame& frame, const FrameUniforms& uniforms);
   void drawOpaque(const Frame& frame);
-  void drawShadows(const Frame& frame, bool refracts);
+  void drawShadows(const Frame& frame);
   void drawWaters(const Frame& frame);
   void drawTranslucent(const Frame& frame);
+  void drawGlass();
+  bool refracts() const;
 };
 
 Group& Renderer::Parts::storeOf(const MeshGroup& group) {
@@ -114,13 +120,20 @@ void Renderer::Parts::drawOpaque(const Frame& frame) {
   if constexpr (effects::kHasDecals) passes->decals(instances.decals);
 }
 
-void Renderer::Parts::drawShadows(const Frame& frame, bool refracts) {
+/// Whether something in this frame is looked through.
+bool Renderer::Parts::refracts() const {
+  return def.refraction && std::any_of(groups.begin(), groups.end(),
+                                       [](const Group* g) { return !g->list.glass.empty() || !g->list.cuts.empty(); });
+}
+
+/// What lies on opaque surfaces: it is as much in focus as they are.
+void Renderer::Parts::drawShadows(const Frame& frame) {
   BR_ZONE("render shadows");
-  const bool seesThrough = refracts || (!frame.waters.empty() && def.refraction);
-  if (seesThrough || !instances.shadows.empty() || !instances.puffs.empty()) target->copyDepth(kUnitDepth);
+  const bool seesThrough = refracts() || (!frame.waters.empty() && def.refraction);
+  if (seesThrough || blurs(frame) || !instances.shadows.empty() || !instances.puffs.empty())
+    target->copyDepth(kUnitDepth);
   if constexpr (effects::kHasShadows) passes->shadows(instances.shadows);
   drawWaters(frame);
-  if (refracts) target->copyColor(kUnitColor);
 }
 
 void Renderer::Parts::drawWaters(const Frame& frame) {
@@ -131,11 +144,9 @@ void Renderer::Parts::drawWaters(const Frame& frame) {
     for (const Water& water : frame.waters) passes->water(water, def.refraction ? kRefraction : 0.0f);
 }
 
-void Renderer::Parts::drawTranslucent(const Frame& frame) {
+void Renderer::Parts::drawGlass() {
   BR_ZONE("render glass");
-  const bool hasGlass = std::any_of(groups.begin(), groups.end(),
-                                    [](const Group* g) { return !g->list.glass.empty() || !g->list.cuts.empty(); });
-  drawShadows(frame, hasGlass && def.refraction);
+  if (refracts()) target->copyColor(kUnitColor);
   for (const Group* group : groups) {
     for (const bool cut : {false, true})
       passes->glass(*group->store, cut ? group->list.cuts : group->list.glass, def.refraction ? kRefraction : 0.0f,
@@ -146,6 +157,19 @@ void Renderer::Parts::drawTranslucent(const Frame& frame) {
   if constexpr (effects::kHasLasers) passes->lasers(instances.lasers);
   if constexpr (effects::kHasSmoke) passes->puffs(instances.puffs);
   passes->glows(instances.glows);
+}
+
+/// Nothing translucent is in the depth buffer, which the blur goes by: what of it is far away is drawn before the blur.
+void Renderer::Parts::drawTranslucent(const Frame& frame) {
+  drawShadows(frame);
+  if constexpr (effects::kHasDepthOfField)
+    if (blurs(frame)) {
+      passes->choose(Passes::Part::Far, frame.focus);
+      drawGlass();
+      passes->focus(*target, frame.focus);
+      passes->choose(Passes::Part::Near, frame.focus);
+    }
+  drawGlass();
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -206,8 +230,6 @@ void Renderer::draw(const Frame& frame, const Overlay* overlay) {
   p.passes->background();
   if (frame.mirrorHeight) p.drawMirrored(frame, mirrored(uniforms, view, *frame.mirrorHeight));
   p.drawOpaque(frame);
-  if constexpr (effects::kHasDepthOfField)
-    if (frame.focus.strength > 0.0f) p.passes->focus(*p.target, frame.focus);
   p.drawTranslucent(frame);
   p.passes->composite(*p.target, frame.bloom, frame.tint, frame.border);
   p.passes->hud(p.instances.hud);

@@ -44,11 +44,8 @@ int addPlace(lua_State* lua) {
 }
 
 /// Scripts may raise texts of any length with any bytes.
-std::string asOneLine(std::string message) {
-  if (message.size() > kLongestMessage) message.resize(kLongestMessage);
-  for (char& c : message)
-    if (static_cast<unsigned char>(c) < 32) c = ' ';
-  return message;
+std::string shortened(const std::string& message) {
+  return asOneLine(message.substr(0, kLongestMessage));
 }
 
 /// Leaves what a library's opener returns on the stack, without a trace in the registry.
@@ -208,7 +205,7 @@ Error SandboxState::takeError(int status) {
   const std::size_t end = message.find(tail);
   if (at != std::string::npos && end != std::string::npos && end > at)
     message = message.substr(0, at) + "unknown function " + message.substr(at + wrong.size(), end - at - wrong.size());
-  return {asOneLine(std::move(message))};
+  return {shortened(message)};
 }
 
 bool SandboxState::runNative(const Library::Entry& entry) {

@@ -71,13 +71,13 @@ double scaled(const Decimal& decimal) {
   return decimal.exponent < 0 ? value / power : value * power;
 }
 
+}  // namespace
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
   while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
   return text;
 }
-
-}  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
   Cursor cursor{trimmed(text)};

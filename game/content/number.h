@@ -11,6 +11,8 @@ namespace brittle::content {
 /// Values beyond this are refused: no level is so large, and floats lose their centimetres.
 inline constexpr double kLargestNumber = 1e6;
 
+/// Without the blanks about it.
+std::string_view trimmed(std::string_view text);
 /// One number and nothing else (blanks around it allowed); nothing if it is none. Digits beyond the 19th are ignored.
 /// May be infinite.
 std::optional<double> parseNumber(std::string_view text);

@@ -21,9 +21,7 @@ struct Problem {
     std::string message = errorAt(file, line, what).message;
     if (!value.empty()) message += ", got '" + value.substr(0, 80) + "'";
     if (!expected.empty()) message += ", expected " + expected;
-    for (char& c : message)
-      if (static_cast<unsigned char>(c) < 32) c = ' ';  // a value may hold line ends
-    return message;
+    return asOneLine(message);
   }
 };
 

@@ -274,7 +274,7 @@ void Game::setAccuracy(const physics::Accuracy& accuracy) {
   if (Room* next = impl_->track->next()) next->world().setAccuracy(accuracyOf(impl_->session));
 }
 const physics::Accuracy& Game::accuracy() const {
-  return impl_->track->current().world().accuracy();
+  return impl_->session.def.accuracy;
 }
 const Hud& Game::hud() const {
   return impl_->hud;

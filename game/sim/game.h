@@ -86,7 +86,7 @@ class Game {
   bool restore(ByteReader& in);
   /// From the next tick on, in every room. For tools: a recording of the game so far no longer replays beyond here.
   void setAccuracy(const physics::Accuracy& accuracy);
-  /// Of the room the camera is in.
+  /// What was asked for, at creation or since. What is switched off may play with less of it (world()->accuracy()).
   const physics::Accuracy& accuracy() const;
   /// Level, seed, mode and accuracy as created, or as set since.
   const GameDef& def() const;

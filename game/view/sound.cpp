@@ -83,6 +83,7 @@ void Sound::reset() {
   timeShare_ = 1.0f;
   knowsRoom_ = false;
   musicTick_ = -1;
+  waiting_.clear();
   masking_ = {};
   streak_ = 0;
 }

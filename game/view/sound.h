@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "engine/audio/mixer.h"
 #include "game/sim/frame_packet.h"
 #include "game/view/cues.h"
+#include "game/view/music.h"
 #include "game/view/omission.h"
 
 namespace brittle::view {
@@ -28,19 +28,22 @@ class Sound {
   void reset();
   /// What was left out since then, here and by the mixer: of each kind that is not zero.
   std::vector<NamedCount> omissions() const;
+  const audio::Instruments& instruments() const { return instruments_; }
 
  private:
   void enterRoom(const sim::FramePacket& packet);
   void playMusic(const sim::FramePacket& packet);
+  void playWaiting();
   void followTime(const sim::FramePacket& packet);
   void reportUnknown(const sim::Event& event, const std::vector<std::string>& names);
 
   audio::Mixer& mixer_;
   std::uint64_t room_ = 0;
   bool knowsRoom_ = false;
-  std::unique_ptr<audio::Instruments> instruments_;  // from the first room that has music on
-  std::int32_t musicTick_ = -1;                      // played last
-  float timeShare_ = 1.0f;                           // as the mixer has it
+  audio::Instruments instruments_;
+  std::vector<MusicNote> waiting_;  // for their tones
+  std::int32_t musicTick_ = -1;     // played last
+  float timeShare_ = 1.0f;          // as the mixer has it
   Masking masking_;
   std::int32_t streak_ = 0;        // before this tick
   std::set<std::string> unknown_;  // names of script sounds that were reported

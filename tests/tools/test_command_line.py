@@ -93,6 +93,14 @@ class CommandLine(unittest.TestCase):
             self.refused(*command, "--accuracy", "fast", says=names)
         self.render("--accuracy", "fast", says=names)
 
+    def test_names_of_effects_may_have_blanks_about_them_but_none_may_be_missing(self):
+        script = self.folder / "game.lua"
+        alone, spaced = [brittle("smoke", script, "--without", names).stdout for names in ["stacks,bloom", " stacks , bloom"]]
+        self.assertIn("0 failed", alone)
+        self.assertEqual(alone, spaced)
+        for names in ["bloom,", ",bloom", "bloom,,stacks", ",", " "]:
+            self.refused("smoke", script, "--without", names, says=f"--without {names}: no effect ''")
+
     def test_a_replay_is_played_at_the_accuracy_it_was_recorded_with(self):
         states = set()
         for preset in ["phone", "balanced", "accurate", "reference"]:
@@ -243,8 +251,14 @@ class CommandLine(unittest.TestCase):
             "function init() mgStatic(1) mgCreateBox(mgCreateBody(3, 0, 0), 1, 0.1, 0.1) end")
         explained = brittle("explain", "bar", "--assets", level.parent.parent, "--rooms", "1", "--json")
         self.assertEqual(explained.returncode, 0, explained.stderr)
-        left_out = json.loads(explained.stdout)[0]["left_out"]
-        self.assertGreaterEqual(left_out["bodies passed"], 2)
+        room = json.loads(explained.stdout)[0]
+        self.assertGreaterEqual(room["left_out"]["bodies passed"], 2)
+        for effect in room["effects"]:
+            for number in ["bytes", "ms_per_tick", "ms_per_frame"]:
+                self.assertIsInstance(effect[number], (int, float))
+                self.assertGreaterEqual(effect[number + "_noise"], 0)
+        table = brittle("explain", "bar", "--assets", level.parent.parent, "--rooms", "1").stdout
+        self.assertRegex(table, r"(?m)^  fog .* < 0\.\d{3} .*, 1 time$")  # fog costs no tick anything
 
     def test_a_script_cannot_throw_more_than_a_tick_holds(self):
         script = self.folder / "eager.lua"
@@ -268,7 +282,8 @@ class CommandLine(unittest.TestCase):
         result = brittle("smoke", self.folder / "game.lua", "--seeds", "3")
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("3 seeds, balls left: median 24, min 24, max 24; 0 at the checkpoint", result.stdout)
-        self.refused("smoke", self.folder / "game.lua", "--set", "skill", says="expected NAME=TEXT")
+        for setting in ["skill", "=x", "="]:
+            self.refused("smoke", self.folder / "game.lua", "--set", setting, says=f"--set {setting}: expected NAME=TEXT")
 
     def test_a_setting_that_no_script_asks_for_is_refused(self):
         script = self.folder / "asks.lua"

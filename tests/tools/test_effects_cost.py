@@ -31,9 +31,12 @@ class Costs(unittest.TestCase):
             self.assertIsNone(row["unused_overhead_percent"])
 
     def test_what_is_no_module_is_refused(self):
-        result = run("--used", "lightning")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("lightning: expected an effect with a module", result.stderr)
+        for arguments, says in [(["--used", "lightning"], "lightning: expected an effect with a module"),
+                                (["--rounds", "0"], "--rounds"), (["--usd"], "--usd")]:
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, r"\Aeffects_cost: .*\n\Z")
+            self.assertIn(says, result.stderr)
 
     @unittest.skipUnless(LONG, "a build per effect")
     def test_what_nobody_demands_costs_nothing(self):

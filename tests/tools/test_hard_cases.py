@@ -31,10 +31,12 @@ class Table(unittest.TestCase):
         result = run("--markdown", "B16", "B18")
         self.assertRegex(result.stdout, r"(?m)^\| B16 \|.*\| B18 \| a block cut .*\|$")
 
-    def test_names_that_are_no_case_are_refused(self):
-        result = run("B18", "B99")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("no case B99", result.stderr)
+    def test_what_is_wrong_is_said_in_one_line(self):
+        for arguments, says in [(["B18", "B99"], "no case B99"), (["--ful"], "--ful"), (["--json", "--markdown"], "--markdown")]:
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertRegex(result.stderr, r"\Ahard_cases: .*\n\Z")
+            self.assertIn(says, result.stderr)
 
     def test_help_has_examples(self):
         self.assertIn("hard_cases --full B1 B21", run("--help").stdout)

@@ -20,6 +20,7 @@ class Sandbox(unittest.TestCase):
             result = run("panes", "--ticks", "8", "--size", "640x360", "--picture", picture)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("tick 8", result.stdout)
+            self.assertIn("playing: 100 %\n", result.stderr)
             with open(picture, "rb") as file:
                 head = file.read(24)
             self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
@@ -37,12 +38,16 @@ class Sandbox(unittest.TestCase):
                 (["panes", "--variant", "64"], "0 to 63"),
                 (["panes", "--accuracy", "best"], "expected phone, "),
                 (["panes", "--size", "0x0"], "--size 0x0"),
+                (["panes", "--ticks", "100000000", "--picture", "never.png"], "--ticks"),
+                (["panes", "--ticks", "-1"], "--ticks"),
+                (["panes", "--tick", "1"], "--tick"),
                 (["--replay", "LICENSE"], "not a Brittle replay"),
                 (["panes", "--picture", "/no/such/folder/a.png"], "cannot be written")):
             result = run(*arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertIn(expected, result.stderr)
             self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            self.assertTrue(result.stderr.startswith("sandbox: "), result.stderr)
 
 
 if __name__ == "__main__":

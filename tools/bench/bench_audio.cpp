@@ -42,13 +42,27 @@ BENCHMARK_CAPTURE(mix, voices, 64u, audio::Acoustics{})->Name("audio/64_voices")
 BENCHMARK_CAPTURE(mix, hall, 64u, hall())->Name("audio/64_voices_in_a_hall")->Unit(benchmark::kMillisecond);
 
 template <class Made>
-void load(benchmark::State& state) {
+void count(benchmark::State& state, const Made& made) {
+  state.counters["kB"] = static_cast<double>(made.bytes()) / 1024.0;
+}
+
+void makeBank(benchmark::State& state) {
+  for (auto iteration : state) count(state, audio::Bank());
+}
+BENCHMARK(makeBank)->Name("audio/make_bank")->Unit(benchmark::kMillisecond);
+
+/// What a tick with a note never played before waits for.
+void makeTone(benchmark::State& state, audio::Instrument instrument) {
   for (auto iteration : state) {
-    const Made made;
-    state.counters["kB"] = static_cast<double>(made.bytes()) / 1024.0;
+    audio::Instruments made;
+    benchmark::DoNotOptimize(made.tone(instrument, 60.0f));
+    count(state, made);
   }
 }
-BENCHMARK(load<audio::Bank>)->Name("audio/make_bank")->Unit(benchmark::kMillisecond);
-BENCHMARK(load<audio::Instruments>)->Name("audio/make_instruments")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(makeTone, pad, audio::Instrument::Pad)->Name("audio/make_tone/pad")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(makeTone, bass, audio::Instrument::Bass)->Name("audio/make_tone/bass")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(makeTone, mallet, audio::Instrument::Mallet)
+    ->Name("audio/make_tone/mallet")
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,11 +1,10 @@
 // The command line: which subcommands there are, their options, help with examples. What they do is in a file each.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 
 #include "engine/effects/effect.h"
 #include "engine/replay/replay.h"
-#include "tools/brittle/options.h"
+#include "tools/brittle/arguments.h"
 
 namespace brittle::program {
 namespace {
@@ -174,7 +173,8 @@ void addExplain(CLI::App& app, Action& action) {
       ->check(CLI::Range(1u, 1000u));
   command->add_flag("--json", options->json, "a list of rooms instead of a table");
   command->footer(
-      "Each effect's price is measured against the same room with it switched off.\n\n"
+      "Each effect's price is measured against the same room with it switched off. '< 0.03': it cannot be told from "
+      "nothing, with a noise of 0.03; --json has the measured number and its noise.\n\n"
       "Examples:\n  brittle explain first\n  brittle explain first --rooms 1 --json");
   command->callback([options, &action] { action = [options] { return explain(*options); }; });
 }
@@ -199,14 +199,8 @@ int run(int argc, char** argv) {
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), isNamed))
     return refuse({std::string("no command '") + argv[1] + "' (brittle --help)"});
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& problem) {
-    return refuse({std::string(problem.what()) + " (brittle --help, brittle COMMAND --help)"});
-  }
-  return action();
+  const std::optional<int> ended = readArguments(app, argc, argv);
+  return ended ? *ended : action();
 }
 
 }  // namespace brittle::program

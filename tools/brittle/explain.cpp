@@ -16,6 +16,7 @@
 #include "tools/brittle/interrupt.h"
 #include "tools/brittle/omissions.h"
 #include "tools/brittle/picture.h"
+#include "tools/brittle/price.h"
 #include "tools/brittle/progress.h"
 
 namespace brittle::program {
@@ -26,25 +27,13 @@ using effects::Effect;
 constexpr int kPriceTicks = 600;  // of a room that the price of an effect is measured over
 constexpr int kDrawEvery = 20;    // [ticks]
 constexpr Size kPicture = {320, 180};
-
-/// What so many ticks of a room took.
-struct Spent {
-  double milliseconds = 0.0;      // of simulation and sound
-  double drawMilliseconds = 0.0;  // of the pictures
-  double worst = 0.0;             // [ms] heaviest tick
-  double heapBytes = 0.0;
-  int ticks = 0, pictures = 0;
-  std::vector<NamedCount> omissions;  // of game, pictures and sound
-
-  double perTick() const { return milliseconds / std::max(ticks, 1); }
-  double perPicture() const { return drawMilliseconds / std::max(pictures, 1); }
-};
+constexpr auto kMostSteps = static_cast<std::uint32_t>(effects::kEffects) + 2;  // a room is measured in
 
 /// Who asked for an effect and how often, and what it adds to the room: against the same room with it switched off.
 struct Demanded {
   Effect effect = Effect::Count;
   std::map<std::string, int> who;
-  double bytes = 0.0, msPerTick = 0.0, msPerFrame = 0.0;
+  Prices prices;
 
   int count() const {
     int sum = 0;
@@ -52,6 +41,12 @@ struct Demanded {
     return sum;
   }
 };
+
+double heaviest(const Spent& spent) {
+  double most = 0.0;
+  for (const double tick : spent.ticks) most = std::max(most, tick);
+  return most;
+}
 
 struct RoomCost {
   std::uint32_t room = 0;
@@ -80,18 +75,16 @@ class Show {
     view::Sound sound(mixer);
     std::vector<float> stereo(2 * audio::kSampleRate / sim::rules::kTickRate);
     const std::uint64_t room = game.roomNumber();
-    while (spent.ticks < ticks && game.roomNumber() == room && !game.isOver() && !isInterrupted()) {
+    for (int tick = 0; tick < ticks && game.roomNumber() == room && !game.isOver() && !isInterrupted(); ++tick) {
       replay::InputFrame input;
-      if (spent.ticks % sim::rules::kTickRate == 0) input.throws.push_back({0, 0});
+      if (tick % sim::rules::kTickRate == 0) input.throws.push_back({0, 0});
       const double start = cpuMilliseconds();
       game.tick(input);
       (*picture)->ticked(game);
       sound.tick((*picture)->packet());
       mixer.render(stereo);
-      const double took = cpuMilliseconds() - start;
-      spent.milliseconds += took;
-      spent.worst = std::max(spent.worst, took);
-      if (spent.ticks++ % kDrawEvery == 0) draw(game, **picture, spent);
+      spent.ticks.push_back(cpuMilliseconds() - start);
+      if (tick % kDrawEvery == 0) draw(game, **picture, spent);
       if (demands != nullptr && game.roomNumber() == room) *demands = game.effects();
     }
     spent.heapBytes = heapBytes() - before;
@@ -107,8 +100,7 @@ class Show {
     const double start = cpuMilliseconds();
     picture.draw(game, {.size = {kPicture.width, kPicture.height}});
     picture.readBack();  // waits for it
-    spent.drawMilliseconds += cpuMilliseconds() - start;
-    ++spent.pictures;
+    spent.pictures.push_back(cpuMilliseconds() - start);
   }
 
   runtime::Platform& platform_;
@@ -129,33 +121,33 @@ std::vector<Demanded> demandsOf(const effects::EffectSet& set) {
   return demands;
 }
 
-Status addPrices(Show& show, sim::GameDef def, RoomCost& cost, Progress& progress, std::uint32_t& step) {
-  Spent all;
-  if (const Status played = show.play(def, kPriceTicks, all, nullptr, nullptr); !played) return played;
+Status addPrices(Show& show, sim::GameDef def, RoomCost& cost, Progress& progress, std::uint32_t step) {
   const effects::EffectMask off = def.without;
-  for (Demanded& demand : cost.demands) {
-    if (isInterrupted()) break;
-    Spent less;
-    def.without = off.with(demand.effect);
-    if (const Status played = show.play(def, kPriceTicks, less, nullptr, nullptr); !played) return played;
-    demand.bytes = all.heapBytes - less.heapBytes;
-    demand.msPerTick = all.perTick() - less.perTick();
-    demand.msPerFrame = all.perPicture() - less.perPicture();
+  std::vector<Spent> played(cost.demands.size() + 2);  // the whole, less each of them, the whole again
+  for (std::size_t i = 0; i < played.size() && !isInterrupted(); ++i) {
+    const bool isWhole = i == 0 || i > cost.demands.size();
+    def.without = isWhole ? off : off.with(cost.demands[i - 1].effect);
+    if (const Status shown = show.play(def, kPriceTicks, played[i], nullptr, nullptr); !shown) return shown;
     progress.reached(++step);
   }
+  for (std::size_t i = 0; i < cost.demands.size(); ++i)
+    cost.demands[i].prices = pricesOf(played.front(), played[i + 1], played.back());
   return Done{};
 }
 
 void print(const RoomCost& cost) {
-  std::printf("room %u: %.3f ms a tick (heaviest %.2f), %.2f ms a picture of %d x %d; %d ticks with a throw a second\n",
-              cost.room, cost.whole.perTick(), cost.whole.worst, cost.whole.perPicture(), kPicture.width,
-              kPicture.height, cost.whole.ticks);
-  std::printf("  %-15s %8s %9s %9s  %s\n", "effect", "kB", "ms/tick", "ms/frame", "demanded by");
+  std::printf(
+      "room %u: %.3f ms a tick (heaviest %.2f), %.2f ms a picture of %d x %d; %zu ticks with a throw a second\n",
+      cost.room, meanOf(cost.whole.ticks), heaviest(cost.whole), meanOf(cost.whole.pictures), kPicture.width,
+      kPicture.height, cost.whole.ticks.size());
+  std::printf("  %-15s %9s %9s %9s  %s\n", "effect", "kB", "ms/tick", "ms/frame", "demanded by");
   for (const Demanded& demand : cost.demands) {
     std::string who = demand.who.begin()->first;
     if (demand.who.size() > 1) who += " and " + std::to_string(demand.who.size() - 1) + " more";
-    std::printf("  %-15s %8.1f %9.4f %9.4f  %s, %d times\n", effects::nameOf(demand.effect), demand.bytes / 1024.0,
-                demand.msPerTick, demand.msPerFrame, who.c_str(), demand.count());
+    std::printf("  %-15s %9s %9s %9s  %s, %d time%s\n", effects::nameOf(demand.effect),
+                inWords(demand.prices.bytes, 1024.0, 1).c_str(), inWords(demand.prices.msPerTick, 1.0, 3).c_str(),
+                inWords(demand.prices.msPerFrame, 1.0, 2).c_str(), who.c_str(), demand.count(),
+                demand.count() == 1 ? "" : "s");
   }
   std::string none;
   for (std::size_t i = 0; i < effects::kEffects; ++i) {
@@ -183,13 +175,15 @@ void printJson(const std::vector<RoomCost>& rooms) {
   for (const RoomCost& cost : rooms) {
     std::printf(
         "%s\n  {\"room\": %u, \"ms_per_tick\": %.4f, \"heaviest_ms\": %.3f, \"ms_per_frame\": %.4f, \"effects\": [",
-        &cost == rooms.data() ? "" : ",", cost.room, cost.whole.perTick(), cost.whole.worst, cost.whole.perPicture());
+        &cost == rooms.data() ? "" : ",", cost.room, meanOf(cost.whole.ticks), heaviest(cost.whole),
+        meanOf(cost.whole.pictures));
     for (const Demanded& demand : cost.demands) {
       std::printf(
-          "%s\n    {\"effect\": \"%s\", \"bytes\": %.0f, \"ms_per_tick\": %.4f, \"ms_per_frame\": %.4f, "
-          "\"demanded_by\": {",
-          &demand == cost.demands.data() ? "" : ",", effects::nameOf(demand.effect), demand.bytes, demand.msPerTick,
-          demand.msPerFrame);
+          "%s\n    {\"effect\": \"%s\", \"bytes\": %.0f, \"bytes_noise\": %.0f, \"ms_per_tick\": %.4f, "
+          "\"ms_per_tick_noise\": %.4f, \"ms_per_frame\": %.4f, \"ms_per_frame_noise\": %.4f, \"demanded_by\": {",
+          &demand == cost.demands.data() ? "" : ",", effects::nameOf(demand.effect), demand.prices.bytes.value,
+          demand.prices.bytes.noise, demand.prices.msPerTick.value, demand.prices.msPerTick.noise,
+          demand.prices.msPerFrame.value, demand.prices.msPerFrame.noise);
       for (auto it = demand.who.begin(); it != demand.who.end(); ++it)
         std::printf("%s%s: %d", it == demand.who.begin() ? "" : ", ", quoted(it->first).c_str(), it->second);
       std::printf("}}");
@@ -222,7 +216,7 @@ int explain(const ExplainOptions& options) {
   Show show(**platform, **assets, bank);
   Faults faults;
   std::vector<RoomCost> rooms;
-  Progress progress("measuring", options.rooms * static_cast<std::uint32_t>(effects::kEffects));
+  Progress progress("measuring", options.rooms * kMostSteps);
   for (std::uint32_t passed = 0; passed < options.rooms; ++passed, ++def->firstRoom) {
     RoomCost cost;
     cost.room = def->firstRoom;
@@ -232,10 +226,11 @@ int explain(const ExplainOptions& options) {
     if (!played && passed > 0) break;  // the level has no more rooms
     if (!played) return refuse(played.error());
     cost.demands = demandsOf(demands);
-    std::uint32_t step = passed * static_cast<std::uint32_t>(effects::kEffects);
-    if (const Status priced = addPrices(show, *def, cost, progress, step); !priced) return refuse(priced.error());
+    const Status priced = addPrices(show, *def, cost, progress, passed * kMostSteps);
+    if (!priced) return refuse(priced.error());
     if (isInterrupted()) return refuse(interruption());
     if (!options.json) print(cost);
+    progress.reached((passed + 1) * kMostSteps);
     rooms.push_back(std::move(cost));
   }
   if (options.json) printJson(rooms);

@@ -6,6 +6,7 @@
 
 #include "engine/core/archive.h"
 #include "engine/replay/replay_file.h"
+#include "game/content/number.h"
 #include "game/sim/constants.h"
 
 namespace brittle::program {
@@ -100,9 +101,9 @@ Result<physics::Accuracy> accuracyOf(const std::string& preset) {
 
 Result<effects::EffectMask> effectsOf(const std::string& names) {
   effects::EffectMask mask;
-  for (std::size_t begin = 0; begin < names.size();) {
+  for (std::size_t begin = 0; !names.empty() && begin <= names.size();) {
     const std::size_t end = minOf(names.find(',', begin), names.size());
-    const std::string name = names.substr(begin, end - begin);
+    const std::string name(content::trimmed(std::string_view(names).substr(begin, end - begin)));
     const auto effect = effects::effectNamed(name);
     if (!effect) return Error{"--without " + names + ": no effect '" + name + "' (brittle play --help lists them)"};
     mask = mask.with(*effect);

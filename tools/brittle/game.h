@@ -42,7 +42,7 @@ Result<replay::Replay> loadReplay(const std::string& path);
 Result<std::unique_ptr<GameSimulation>> openReplay(const content::AssetSource& assets, const replay::Replay& replay,
                                                    const std::string& name);
 
-/// The effects that --without names.
+/// The effects that --without names, separated by commas and spaces; of an empty text none.
 Result<effects::EffectMask> effectsOf(const std::string& names);
 
 /// How a recorded game is played again, if not as it was recorded.

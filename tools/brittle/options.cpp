@@ -44,10 +44,7 @@ Error interruption() {
 }
 
 void complain(const Error& error) {
-  std::string line = error.message;
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 32) c = ' ';  // what was typed may hold line ends
-  std::fprintf(stderr, "brittle: %s\n", line.c_str());
+  std::fprintf(stderr, "brittle: %s\n", asOneLine(error.message).c_str());
 }
 
 int refuse(const Error& error) {

@@ -98,7 +98,7 @@ Result<sim::SmokeSettings> settingsOf(const SmokeOptions& options) {
   settings.without = *without;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) return Error{"--set " + setting + ": expected NAME=TEXT"};
+    if (equals == std::string::npos || equals == 0) return Error{"--set " + setting + ": expected NAME=TEXT"};
     settings.values[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   return settings;

@@ -1,9 +1,9 @@
 // effects_cost [--json|--markdown] [--used] [EFFECT...]: what each effect costs where it is used and where it is not.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
 #include <thread>
 
+#include "tools/brittle/arguments.h"
 #include "tools/brittle/progress.h"
 #include "tools/effects_cost/measure.h"
 
@@ -70,11 +70,6 @@ void printMarkdown(const std::vector<Cost>& costs) {
   }
 }
 
-int refuse(const std::string& message) {
-  std::fprintf(stderr, "effects_cost: %s\n", message.c_str());
-  return 2;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,13 +90,14 @@ int main(int argc, char** argv) {
       "Builds a program without each effect in turn (build/without): some minutes for the first, less than one for the "
       "others.\n\n"
       "Examples:\n  effects_cost\n  effects_cost --json joints reverb\n  effects_cost --used mirror");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto ended = program::readArguments(app, argc, argv)) return *ended;
   effort.compares = !used;
   std::vector<effects::Effect> wanted;
   for (const std::string& name : names) {
     const auto effect = effects::effectNamed(name);
     if (!effect || !hasModule(*effect))
-      return refuse(name + ": expected an effect with a module (brittle play --help lists them)");
+      return program::refuse(app.get_name(),
+                             {name + ": expected an effect with a module (brittle play --help lists them)"});
     wanted.push_back(*effect);
   }
   for (std::size_t i = 0; names.empty() && i < effects::kEffects; ++i)
@@ -109,7 +105,7 @@ int main(int argc, char** argv) {
   program::Progress progress("measuring", static_cast<std::uint32_t>(stepsOf(wanted, effort)));
   std::uint32_t step = 0;
   const auto costs = measure(wanted, effort, [&](const std::string&) { progress.reached(step++); });
-  if (!costs) return refuse(costs.error().message);
+  if (!costs) return program::refuse(app.get_name(), costs.error());
   if (json)
     printJson(*costs);
   else if (markdown)

@@ -1,7 +1,6 @@
 // effects_probe SCENE [--off] [--ticks N] [--backend egl|osmesa|null]: plays one room for so many ticks, with its
 // picture and its sound, and prints what that took. tools/effects_cost runs it, in this build and in builds without an
 // effect.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -17,11 +16,11 @@
 #include "platform/headless/headless.h"
 #include "tests/allocations.h"
 #include "tools/bench/cpu_time.h"
+#include "tools/brittle/arguments.h"
 #include "tools/effects_probe/scenes.h"
 
 namespace brittle::probe {
 
-constexpr int kWrongInput = 2;
 constexpr int kCrowd = 10;  // rows of crates
 constexpr runtime::PictureSize kSize = {320, 180};
 
@@ -120,16 +119,12 @@ int main(int argc, char** argv) {
   app.add_option("--backend", backend, "egl, osmesa or null: without drawing")->capture_default_str();
   app.footer(
       "Examples:\n  effects_probe plain\n  effects_probe reverb --ticks 600\n  effects_probe mirror --backend egl");
-  CLI11_PARSE(app, argc, argv);
-  const auto failed = [](const Error& error) {
-    std::fprintf(stderr, "effects_probe: %s\n", error.message.c_str());
-    return probe::kWrongInput;
-  };
+  if (const auto ended = program::readArguments(app, argc, argv)) return *ended;
   for (const auto kind :
        {platform::HeadlessBackend::Egl, platform::HeadlessBackend::OsMesa, platform::HeadlessBackend::Null}) {
     if (backend != platform::nameOf(kind)) continue;
     const Status played = probe::run(scene, off, ticks, kind);
-    return played ? 0 : failed(played.error());
+    return played ? 0 : program::refuse(app.get_name(), played.error());
   }
-  return failed({"--backend " + backend + ": expected egl, osmesa or null"});
+  return program::refuse(app.get_name(), {"--backend " + backend + ": expected egl, osmesa or null"});
 }

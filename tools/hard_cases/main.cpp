@@ -2,12 +2,12 @@
 // come of it, the measured figures, pass or fail, seconds. The tests themselves stand in tests/hard_cases.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 #include "tests/hard_cases/case.h"
+#include "tools/brittle/arguments.h"
 #include "tools/hard_cases/table.h"
 
 namespace {
@@ -94,7 +94,8 @@ int main(int argc, char** argv) {
       "Runs the hard cases and prints what each one measured.\n\nExamples:\n"
       "  hard_cases                  all of them, at the counts of the test suite\n"
       "  hard_cases --full B1 B21    two of them at their full counts, which may take hours\n"
-      "  hard_cases --markdown       the table as Markdown");
+      "  hard_cases --markdown       the table as Markdown",
+      "hard_cases");
   bool full = false, json = false, markdown = false;
   std::vector<std::string> ids;
   app.add_flag("--full", full, "full counts");
@@ -102,11 +103,11 @@ int main(int argc, char** argv) {
       app.add_flag("--json", json, "print a list of objects with id, case, criterion, figure, pass, seconds");
   app.add_flag("--markdown", markdown, "print a Markdown table")->excludes(asList);
   app.add_option("IDS", ids, "cases to run, as B21 or B17..B39 (default: all)");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto ended = brittle::program::readArguments(app, argc, argv)) return *ended;
   if (const std::string unknown = unknownOf(ids); !unknown.empty()) {
-    std::fprintf(stderr, "hard_cases: no case%s; expected one of %s to %s, or a range as B17..B39\n", unknown.c_str(),
-                 std::string(allCases().front().id).c_str(), std::string(allCases().back().id).c_str());
-    return 2;
+    const std::string range = std::string(allCases().front().id) + " to " + std::string(allCases().back().id);
+    return brittle::program::refuse(app.get_name(),
+                                    {"no case" + unknown + "; expected one of " + range + ", or a range as B17..B39"});
   }
 
   int none = 1;

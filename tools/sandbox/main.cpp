@@ -1,6 +1,5 @@
 // sandbox [SCENE] [--replay FILE]: a scene of the accuracy study, or a recorded game, with every setting under a
 // slider, the cost of every phase, and the error where the exact result is known.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -9,7 +8,9 @@
 #include "engine/render/renderer.h"
 #include "platform/headless/headless.h"
 #include "platform/sdl/window.h"
+#include "tools/brittle/arguments.h"
 #include "tools/brittle/game.h"
+#include "tools/brittle/progress.h"
 #include "tools/panels/listening_platform.h"
 #include "tools/sandbox/replay_run.h"
 #include "tools/sandbox/sandbox.h"
@@ -19,13 +20,18 @@ namespace brittle::sandbox {
 namespace {
 
 using program::kDone;
-using program::refuse;
 
 struct Options {
   std::string scene = "panes", replay, assets, preset = "balanced", size = "1280x720", picture;
   int variant = 0;
   std::uint32_t frames = 0, ticks = 0;
 };
+
+constexpr const char* kName = "sandbox";
+
+int refuse(const Error& error) {
+  return program::refuse(kName, error);
+}
 
 constexpr const char* kFooter = R"(keys:
   space       pause, go on          .  ,       a tick forward, back
@@ -91,7 +97,11 @@ Result<std::unique_ptr<runtime::Platform>> openPlatform(const Options& options, 
 /// The state after so many ticks, with its panels.
 int writePicture(const Options& options, Sandbox& sandbox, Run& run, render::Renderer& renderer,
                  runtime::PictureSize size) {
-  for (std::uint32_t i = 0; i < options.ticks; ++i) sandbox.tick({});
+  program::Progress progress("playing", options.ticks);
+  for (std::uint32_t i = 0; i < options.ticks;) {
+    sandbox.tick({});
+    progress.reached(++i);
+  }
   sandbox.setPaused(true);
   for (int i = 0; i < 2; ++i) sandbox.draw({1.0f, size});  // panels know their size from the second picture on
   const Status written = render::writePng(renderer.readBack(), options.picture);
@@ -148,7 +158,8 @@ int open(const Options& options) {
 
 int main(int argc, char** argv) {
   brittle::sandbox::Options options;
-  CLI::App app("scenes of breaking glass, or a recorded game, with every setting of accuracy under a slider");
+  CLI::App app("scenes of breaking glass, or a recorded game, with every setting of accuracy under a slider",
+               brittle::sandbox::kName);
   app.footer(brittle::sandbox::kFooter);
   app.add_option("SCENE", options.scene, "one of " + brittle::sandbox::sceneNames())->capture_default_str();
   app.add_option("--variant", options.variant, "which of the scene's phases or seeds, from 0")->capture_default_str();
@@ -159,7 +170,7 @@ int main(int argc, char** argv) {
   app.add_option("--size", options.size, "of the window or picture")->capture_default_str();
   app.add_option("--frames", options.frames, "leave after so many pictures (0: when the window is closed)");
   app.add_option("--picture", options.picture, "no window: write the state after --ticks as a PNG");
-  app.add_option("--ticks", options.ticks, "of the picture");
-  CLI11_PARSE(app, argc, argv);
+  app.add_option("--ticks", options.ticks, "of the picture")->check(CLI::Range(0u, brittle::replay::kMaxTicks));
+  if (const auto ended = brittle::program::readArguments(app, argc, argv)) return *ended;
   return brittle::sandbox::open(options);
 }

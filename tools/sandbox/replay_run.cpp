@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "engine/core/archive.h"
 #include "game/view/memory.h"
 
 namespace brittle::sandbox {
@@ -14,9 +15,20 @@ constexpr std::chrono::milliseconds kWorkPerPicture(12);
 
 }  // namespace
 
+/// With the accuracy asked for then, which a snapshot of a game leaves out: rooms to come take it from there.
+void GameTimelineSimulation::save(ByteWriter& out) const {
+  physics::Accuracy accuracy = game->game().accuracy();
+  SaveArchive archive(out);
+  accuracy.serialize(archive);
+  game->save(out);
+}
+
 bool GameTimelineSimulation::restore(ByteReader& in) {
+  physics::Accuracy accuracy;
+  RestoreArchive archive(in);
+  accuracy.serialize(archive);
   if (!game->restore(in)) return false;
-  game->game().setAccuracy(game->game().accuracy());  // rooms to come take it from the game
+  game->game().setAccuracy(accuracy);
   return true;
 }
 

@@ -18,7 +18,7 @@ struct GameTimelineSimulation {
   using Input = replay::InputFrame;
 
   void tick(const Input& input) { game->tick(input); }
-  void save(ByteWriter& out) const { game->save(out); }
+  void save(ByteWriter& out) const;
   bool restore(ByteReader& in);
 
   std::unique_ptr<program::GameSimulation> game;

@@ -21,5 +21,14 @@ TEST_F(FocusOnNull, AreDrawnWhereTheyAre) {
   EXPECT_EQ(blits_, 1u);
 }
 
+TEST_F(FocusOnNull, DrawWhatIsTranslucentBeforeAndAfter) {
+  Frame frame;
+  fill(frame);
+  frame.beams.push_back({Vec3(0.0f, 0.0f, -3.0f), Vec3(0.0f, 1.0f, -9.0f)});
+  draw(frame);
+  EXPECT_EQ(draws_, 7u);
+  EXPECT_EQ(programs_, 4u);
+}
+
 }  // namespace
 }  // namespace brittle::render

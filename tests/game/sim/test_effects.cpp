@@ -107,8 +107,23 @@ end)");
     off->setAccuracy(*physics::preset("balanced"));  // what is switched off stays off
     play(*off, 5);
     EXPECT_EQ(off->world(0)->counters().tallest, 0u);
-    EXPECT_FALSE(off->accuracy().stacks);
+    EXPECT_FALSE(off->world(0)->accuracy().stacks);
   }
+}
+
+TEST(Effects, WhatIsSwitchedOffTakesNothingFromTheAccuracyThatWasAskedFor) {
+  const auto game = newGame(shippedAssets(), defOf("first", 0, EffectMask().with(Effect::Stacks).with(Effect::Debris)));
+  physics::Accuracy asked = game->accuracy();
+  EXPECT_TRUE(asked.stacks);
+  EXPECT_EQ(asked.maxDebris, physics::Accuracy().maxDebris);
+  ++asked.iterations;
+  game->setAccuracy(asked);  // as a slider does
+  FramePacket packet;
+  game->copyFrame(packet);
+  EXPECT_EQ(packet.maxDebris, asked.maxDebris) << "what is only seen keeps its share";
+  EXPECT_EQ(game->accuracy().maxDebris, asked.maxDebris);
+  EXPECT_EQ(game->world(0)->accuracy().maxDebris, 0);
+  EXPECT_EQ(game->world(0)->accuracy().iterations, asked.iterations);
 }
 
 TEST(Effects, ARoomKeepsNoneThatTheNextOneDoesNotAskFor) {

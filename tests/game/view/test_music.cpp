@@ -139,6 +139,35 @@ TEST(Music, StaysInTheBackground) {
   }
 }
 
+TEST(Music, MakesAToneOfItsFirstChordATick) {
+  static const audio::Bank bank;
+  audio::Mixer mixer(bank);
+  Sound sound(mixer);
+  std::vector<float> block(1600);
+  sim::FramePacket packet = packetAt(0);
+  packet.rooms.front().ticks = -1;
+  sound.tick(packet);
+  EXPECT_EQ(sound.instruments().bytes(), 0u) << "without music";
+  packet.rooms.front().music = "hall";
+  audio::Instruments own;  // made all at once
+  int makes = 0;
+  for (int tick = 0; tick < 6; ++tick) {
+    const std::size_t before = sound.instruments().bytes();
+    packet.rooms.front().ticks = tick;
+    sound.tick(packet);
+    mixer.render(block);
+    makes += sound.instruments().bytes() != before ? 1 : 0;
+    EXPECT_GT(mixer.activeVoices(), 0u);
+    if (tick == 0) {
+      EXPECT_LT(mixer.activeVoices(), notesAt("hall", 0).size());
+    }
+  }
+  for (const MusicNote& note : notesAt("hall", 0)) own.tone(note.instrument, note.note);
+  EXPECT_EQ(sound.instruments().bytes(), own.bytes());
+  EXPECT_GT(makes, 2);
+  EXPECT_EQ(mixer.activeVoices(), notesAt("hall", 0).size()) << "all of it plays within a tenth of a second";
+}
+
 TEST(Music, FallsSilentWhereTheGameStandsStill) {
   const std::vector<float> mix = heard("hall", 1000, 480);
   EXPECT_GT(decibels(mix, 480, 500), -45.0);

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "engine/geometry/make.h"
 #include "engine/render/gl.h"
 #include "gallery.h"
 #include "platform/headless/headless.h"
@@ -72,6 +73,18 @@ inline Frame clearAir() {
   frame.fog.start = 90.0f;
   frame.fog.end = 100.0f;
   return frame;
+}
+
+/// Two metres square and 4 cm thick, and looking at the camera.
+inline void addPane(Frame& frame, geometry::MeshPool& pool, const Vec3& place, const Rgb& color,
+                    std::uint16_t material = kGlass) {
+  geometry::Convex pane = geometry::makeBox<float>(Vec3(1.0f, 1.0f, 0.02f));
+  for (geometry::Vertex& vertex : pane.vertices) vertex.color = packRgba(color);
+  MeshGroup& group = frame.groups[0];
+  group.pool = &pool;
+  const auto body = static_cast<std::uint32_t>(group.bodies.size());
+  group.bodies.push_back({place, Quat::Identity()});
+  group.meshes.push_back({pool.add(pane, body, material), body, material, kWhite});
 }
 
 }  // namespace brittle::render

@@ -39,6 +39,56 @@ TEST(FocusPictures, BlurWhatIsFarAndKeepWhatIsNear) {
   EXPECT_GT(sharpness(soft, 20, 140), 0.9f * sharpness(sharp, 20, 140));
 }
 
+/// How much sharper the two halves of a picture are without the blur than with it.
+struct Kept {
+  float near, far;
+};
+Kept keptOf(Studio& studio, Frame frame) {
+  frame.focus = {5.0f, 8.0f, 1.0f};
+  const Image soft = studio.draw(frame);
+  frame.focus.strength = 0.0f;
+  const Image sharp = studio.draw(frame);
+  return {sharpness(soft, 20, 158) / sharpness(sharp, 20, 158), sharpness(soft, 180, 300) / sharpness(sharp, 180, 300)};
+}
+
+TEST(FocusPictures, BlurGlassThatIsFarAndKeepWhatIsNear) {
+  Studio studio(kSmall);
+  Frame frame = clearAir();
+  geometry::MeshPool pool;
+  addPane(frame, pool, Vec3(-1.3f, 0.0f, -4.5f), Rgb(0.2f, 0.3f, 0.4f));
+  addPane(frame, pool, Vec3(4.0f, 0.0f, -15.0f), Rgb(0.2f, 0.3f, 0.4f));
+  const Kept kept = keptOf(studio, frame);
+  EXPECT_GT(kept.near, 0.9f);
+  EXPECT_LT(kept.far, 0.5f);
+}
+
+TEST(FocusPictures, BlurRopesThatAreFarAndKeepWhatIsNear) {
+  Studio studio(kSmall);
+  Frame frame = clearAir();
+  frame.beams.push_back({Vec3(-1.0f, -1.0f, -4.5f), Vec3(-1.0f, 1.0f, -4.5f), 0.05f});
+  frame.beams.push_back({Vec3(4.0f, -2.0f, -15.0f), Vec3(4.0f, 2.0f, -15.0f), 0.15f});
+  const Kept kept = keptOf(studio, frame);
+  EXPECT_GT(kept.near, 0.9f);
+  EXPECT_LT(kept.far, 0.5f);
+}
+
+TEST(FocusPictures, BringGlassIntoFocusByAndBy) {
+  Studio studio(kSmall);
+  float before = 0.0f;
+  for (float depth = 14.0f; depth > 4.0f; depth -= 0.5f) {
+    Frame frame = clearAir();
+    geometry::MeshPool pool;
+    addPane(frame, pool, Vec3(1.0f + 0.2f * depth, 0.0f, -depth), Rgb(0.2f, 0.3f, 0.4f));
+    addPane(frame, pool, Vec3(-1.3f, 0.0f, -4.5f), Rgb(0.2f, 0.3f, 0.4f));
+    const float now = keptOf(studio, frame).far;
+    if (before > 0.0f) {
+      EXPECT_NEAR(now, before, 0.25f) << "at " << depth << " m";
+    }
+    before = now;
+  }
+  EXPECT_GT(before, 0.9f);
+}
+
 TEST(FocusPictures, WorkMultisampledAndAtOddSizes) {
   RendererDef fine = kSmall, odd = kSmall;
   fine.samples = 4;

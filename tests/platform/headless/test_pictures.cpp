@@ -3,23 +3,12 @@
 
 #include <cmath>
 
-#include "engine/geometry/make.h"
 #include "studio.h"
 
 namespace brittle::render {
 namespace {
 
 using platform::HeadlessBackend;
-
-void addPane(Frame& frame, geometry::MeshPool& pool, float z, const Rgb& color, std::uint16_t material = kGlass) {
-  geometry::Convex pane = geometry::makeBox<float>(Vec3(1.0f, 1.0f, 0.02f));
-  for (geometry::Vertex& vertex : pane.vertices) vertex.color = packRgba(color);
-  MeshGroup& group = frame.groups[0];
-  group.pool = &pool;
-  const auto body = static_cast<std::uint32_t>(group.bodies.size());
-  group.bodies.push_back({Vec3(0.0f, 0.0f, z), Quat::Identity()});
-  group.meshes.push_back({pool.add(pane, body, material), body, material, kWhite});
-}
 
 TEST(Pictures, OfBothBackendsAgree) {
   const Image egl = Studio(kSmall, HeadlessBackend::Egl).drawGallery();
@@ -71,7 +60,7 @@ TEST(Pictures, ShowFogColoursAsAuthored) {
 TEST(Pictures, ShowTintedGlassInItsColour) {
   geometry::MeshPool pool;
   Frame frame = clearAir();
-  addPane(frame, pool, -3.0f, Rgb(1.0f, 0.4f, 0.4f));
+  addPane(frame, pool, Vec3(0.0f, 0.0f, -3.0f), Rgb(1.0f, 0.4f, 0.4f));
   const Vec3 through = pixel(Studio(kSmall).draw(frame), 165, 95);
   EXPECT_GT(through.x(), 90.0f);
   EXPECT_LT(through.y(), 0.75f * through.x());
@@ -81,8 +70,8 @@ TEST(Pictures, ShowColouredGlassLitByTheRoom) {
   // Both let as much red through; only the one that takes out the rest shines with what it catches.
   geometry::MeshPool coloured, clear;
   Frame red = clearAir(), white = clearAir();
-  addPane(red, coloured, -3.0f, Rgb(1.0f, 0.3f, 0.3f));
-  addPane(white, clear, -3.0f, Rgb(1.0f, 1.0f, 1.0f));
+  addPane(red, coloured, Vec3(0.0f, 0.0f, -3.0f), Rgb(1.0f, 0.3f, 0.3f));
+  addPane(white, clear, Vec3(0.0f, 0.0f, -3.0f), Rgb(1.0f, 1.0f, 1.0f));
   Studio studio(kSmall);
   white.groups[0].poolId = 1;
   EXPECT_GT(pixel(studio.draw(red), 165, 95).x(), pixel(studio.draw(white), 165, 95).x() + 3.0f);
@@ -112,10 +101,10 @@ TEST(Pictures, ShowTheEndsOfCylindersFlat) {
 TEST(Pictures, ShowGlassBehindGlass) {
   geometry::MeshPool pool;
   Frame one = clearAir(), two = clearAir();
-  addPane(one, pool, -3.0f, Rgb(0.9f, 0.9f, 0.9f));
+  addPane(one, pool, Vec3(0.0f, 0.0f, -3.0f), Rgb(0.9f, 0.9f, 0.9f));
   geometry::MeshPool both;
-  addPane(two, both, -3.0f, Rgb(0.9f, 0.9f, 0.9f));
-  addPane(two, both, -4.0f, Rgb(0.9f, 0.3f, 0.9f));  // only seen through the first
+  addPane(two, both, Vec3(0.0f, 0.0f, -3.0f), Rgb(0.9f, 0.9f, 0.9f));
+  addPane(two, both, Vec3(0.0f, 0.0f, -4.0f), Rgb(0.9f, 0.3f, 0.9f));  // only seen through the first
   Studio studio(kSmall);
   two.groups[0].poolId = 1;
   const Vec3 alone = pixel(studio.draw(one), 165, 95), stacked = pixel(studio.draw(two), 165, 95);
@@ -126,8 +115,8 @@ TEST(Pictures, DrawTheSameWhateverTheOrderOfMeshes) {
   Studio studio(kSmall);
   geometry::MeshPool pool;
   Frame frame = clearAir();
-  addPane(frame, pool, -3.0f, Rgb(1.0f, 0.5f, 0.5f));
-  addPane(frame, pool, -5.0f, Rgb(0.5f, 0.5f, 1.0f));
+  addPane(frame, pool, Vec3(0.0f, 0.0f, -3.0f), Rgb(1.0f, 0.5f, 0.5f));
+  addPane(frame, pool, Vec3(0.0f, 0.0f, -5.0f), Rgb(0.5f, 0.5f, 1.0f));
   const Image image = studio.draw(frame);
   std::swap(frame.groups[0].meshes[0], frame.groups[0].meshes[1]);
   EXPECT_EQ(image.pixels, studio.draw(frame).pixels);
@@ -137,10 +126,10 @@ TEST(Pictures, DrawTheSameWhateverTheOrderOfGroups) {
   Studio studio(kSmall);
   geometry::MeshPool now, next;
   Frame frame = clearAir();
-  addPane(frame, now, -3.0f, Rgb(1.0f, 0.5f, 0.5f));
+  addPane(frame, now, Vec3(0.0f, 0.0f, -3.0f), Rgb(1.0f, 0.5f, 0.5f));
   frame.groups[1] = frame.groups[0];
   frame.groups[0] = {};
-  addPane(frame, next, -5.0f, Rgb(0.5f, 0.5f, 1.0f));
+  addPane(frame, next, Vec3(0.0f, 0.0f, -5.0f), Rgb(0.5f, 0.5f, 1.0f));
   const Image image = studio.draw(frame);
   std::swap(frame.groups[0], frame.groups[1]);
   EXPECT_EQ(image.pixels, studio.draw(frame).pixels);
@@ -150,7 +139,7 @@ TEST(Pictures, MoveMeshesWithTheirBodies) {
   Studio studio(kSmall);
   geometry::MeshPool pool;
   Frame frame = clearAir();
-  addPane(frame, pool, -6.0f, Rgb(1.0f, 0.1f, 0.1f), kMatte);
+  addPane(frame, pool, Vec3(0.0f, 0.0f, -6.0f), Rgb(1.0f, 0.1f, 0.1f), kMatte);
   EXPECT_GT(pixel(studio.draw(frame), 160, 90).x(), 2.0f * pixel(studio.draw(frame), 160, 90).y());
   frame.groups[0].bodies[0].position.x() = 2.0f;
   const Image moved = studio.draw(frame);
@@ -162,7 +151,7 @@ TEST(Pictures, TintMeshesOfOneFrameOnly) {
   Studio studio(kSmall);
   geometry::MeshPool pool;
   Frame frame = clearAir();
-  addPane(frame, pool, -6.0f, Rgb::Ones(), kMatte);
+  addPane(frame, pool, Vec3(0.0f, 0.0f, -6.0f), Rgb::Ones(), kMatte);
   const Vec3 plain = pixel(studio.draw(frame), 160, 90);
   frame.groups[0].meshes[0].tint = packRgba(Rgb(1.0f, 0.2f, 0.2f));
   const Vec3 tinted = pixel(studio.draw(frame), 160, 90);
@@ -263,7 +252,7 @@ TEST(Pictures, ShowNothingThroughGlassThatStandsBeforeIt) {
   geometry::MeshPool bent, straight;
   const auto edgeOf = [](Studio& studio, geometry::MeshPool& pool) {
     Frame frame = clearAir();
-    addPane(frame, pool, -4.0f, Rgb::Ones());
+    addPane(frame, pool, Vec3(0.0f, 0.0f, -4.0f), Rgb::Ones());
     frame.groups[0].bodies[0].rotation = rotationAbout(Vec3::UnitY(), 0.5f);  // tilted: it bends
     frame.spheres.push_back({Vec3(0.0f, 0.0f, -2.0f), 0.2f, Quat::Identity(), kMatte, packRgba(Rgb(1.0f, 0.0f, 0.0f))});
     frame.sphereShadow = 0.0f;

@@ -131,6 +131,25 @@ TEST_F(ReplayRunOfALevel, FindsWhereAnotherAccuracyFirstMatters) {
   EXPECT_GT(run->tick(), 10u);
 }
 
+TEST_F(ReplayRunOfALevel, ASliderLeavesTheSettingsOfWhatIsSwitchedOffAndGoingBackTakesItBack) {
+  replay::Replay replay = record(*assets_);
+  program::Otherwise otherwise;
+  otherwise.without = effects::EffectMask().with(effects::Effect::Debris).with(effects::Effect::Stacks);
+  ASSERT_TRUE(program::playOtherwise(otherwise, "test.brt", replay));
+  const auto run = open(replay);
+  const physics::Accuracy before = run->accuracy();
+  EXPECT_EQ(before.maxDebris, physics::Accuracy().maxDebris);
+  for (int tick = 0; tick < 40; ++tick) run->step();
+  physics::Accuracy moved = before;
+  ++moved.iterations;
+  run->setAccuracy(moved);
+  EXPECT_EQ(run->accuracy().maxDebris, before.maxDebris);
+  EXPECT_EQ(run->accuracy().iterations, moved.iterations);
+  run->seek(20);
+  EXPECT_EQ(run->accuracy().iterations, before.iterations);
+  EXPECT_EQ(run->accuracy().maxDebris, before.maxDebris);
+}
+
 TEST_F(ReplayRunOfALevel, GoesWhereItIsSentForwardAndBack) {
   const replay::Replay replay = record(*assets_);
   const auto run = open(replay);
