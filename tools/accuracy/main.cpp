@@ -1,6 +1,5 @@
 // accuracy [--quick] [--instructions] [--out DIR]: what each step of accuracy buys, and what it costs: tables, a report
 // and plots.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
@@ -11,6 +10,7 @@
 #include "tools/accuracy/instructions.h"
 #include "tools/accuracy/outcome.h"
 #include "tools/bench/cpu_time.h"
+#include "tools/brittle/arguments.h"
 #include "tools/brittle/progress.h"
 #include "tools/callgrind/callgrind.h"
 
@@ -18,8 +18,6 @@ namespace {
 
 using namespace brittle;
 using namespace brittle::accuracy;
-
-constexpr int kWrongInput = 2;
 
 struct Options {
   bool quick = false, instructions = false, noPlots = false, onlyPlots = false;
@@ -29,8 +27,7 @@ struct Options {
 };
 
 int refuse(const Error& error) {
-  std::fprintf(stderr, "accuracy: %s\n", error.message.c_str());
-  return kWrongInput;
+  return program::refuse("accuracy", error);
 }
 
 std::vector<Setting> allSettings(bool quick) {
@@ -165,6 +162,6 @@ int main(int argc, char** argv) {
       "Examples:\n  accuracy --quick --out build/accuracy\n  accuracy --instructions --out tools/accuracy/measured\n"
       "  accuracy --scene shatter --accuracy 'iterations 16'\n"
       "  valgrind --tool=callgrind --toggle-collect='brittle::physics::World::step(float)' accuracy --scene shatter");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto ended = program::readArguments(app, argc, argv)) return *ended;
   return options.scene.empty() ? run(options) : playOne(options);
 }
