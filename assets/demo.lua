@@ -19,8 +19,8 @@ throw{tick=861, x=-0.066, y=-0.043}   -- a wall of blocks
 throw{tick=870, x=0.073, y=-0.052}    -- a wall of blocks
 throw{tick=905, x=0.000, y=-0.104}    -- a crystal
 throw{tick=1003, x=0.000, y=-0.010}   -- a window
-throw{tick=1047, x=0.000, y=-0.011}   -- a window
-throw{tick=1082, x=0, y=0.02}
+throw{tick=1047, x=0.000, y=0.048}    -- what is left of the second
+throw{tick=1082, x=0.020, y=0.050}    -- and its rim
 throw{tick=1178, x=-0.333, y=-0.201}  -- a crystal
 run(1200)
 expect_broken(15, 60)

@@ -14,9 +14,9 @@ EffectMask EffectSet::demanded() const {
   return mask;
 }
 
-void EffectSet::keep(EffectMask mask) {
+void EffectSet::keep(EffectMask mask, const std::string& who) {
   for (std::size_t i = 0; i < kEffects; ++i)
-    if (const auto effect = static_cast<Effect>(i); mask.has(effect) && !has(effect)) demand(effect, "a snapshot");
+    if (const auto effect = static_cast<Effect>(i); mask.has(effect) && !has(effect)) demand(effect, who);
 }
 
 EffectMask EffectSet::running() const {

@@ -14,7 +14,7 @@ namespace brittle::effects {
 /// A reason an effect is on: the content that asked for it.
 struct Demand {
   Effect effect;
-  std::string who;  // "file:line", or the name of the code that asked
+  std::string who;  // "file:line", or of a rule of the engine's own "by the game: which"
 };
 
 class EffectSet {
@@ -26,8 +26,8 @@ class EffectSet {
   void clear();
   /// Every effect that somebody demands.
   EffectMask demanded() const;
-  /// Demands those of `mask` that nobody does: scripts that a snapshot was taken after have asked for them.
-  void keep(EffectMask mask);
+  /// Demands those of `mask` that nobody does, in the name of `who`: a snapshot does not say who asked.
+  void keep(EffectMask mask, const std::string& who);
 
   /// What the player does not want; demands are still noted.
   void switchOff(EffectMask mask) { off_ = mask; }

@@ -23,6 +23,13 @@ bool liesWithin(const fs::path& path, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+/// Of a file that lies there; else empty.
+std::string pathIn(const std::string& folder, const std::string& stored) {
+  std::error_code failed;
+  const fs::path path = fs::path(folder) / stored;
+  return fs::is_regular_file(path, failed) && liesWithin(path, folder) ? path.string() : std::string();
+}
+
 }  // namespace
 
 bool isSafeName(const std::string& name) {
@@ -38,6 +45,12 @@ bool isSafeName(const std::string& name) {
     start = end + 1;
   }
   return true;
+}
+
+std::string bareName(std::string stored) {
+  for (const std::string_view suffix : {".mp3", ".gz"})
+    if (stored.ends_with(suffix)) stored.erase(stored.size() - suffix.size());
+  return stored;
 }
 
 bool isGzip(const std::string& bytes) {
@@ -65,17 +78,15 @@ Result<std::string> inflated(const std::string& archive) {
 }
 
 Result<std::string> unpacked(const std::string& bytes) {
-  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' &&
+  constexpr char dictionary = 0x20;  // a flag that no file has, but a text that begins "x "
+  const bool isZlib = bytes.size() > 2 && bytes[0] == '\x78' && (bytes[1] & dictionary) == 0 &&
                       (static_cast<unsigned char>(bytes[0]) * 256u + static_cast<unsigned char>(bytes[1])) % 31u == 0;
   if (!isGzip(bytes) && !isZlib) return bytes;
   return inflated(bytes);
 }
 
 std::string AssetSource::storedName(const std::string& name) const {
-  if (!isSafeName(name)) return {};
-  for (const char* suffix : kSuffixes)
-    if (contains(name + suffix)) return name + suffix;
-  return {};
+  return isSafeName(name) ? find(name) : std::string();
 }
 
 bool AssetSource::has(const std::string& name) const {
@@ -99,23 +110,29 @@ Result<std::string> AssetSource::read(const std::string& name) const {
   return contents;
 }
 
-std::string FolderSource::pathOf(const std::string& stored) const {
-  for (const std::string& folder : folders_) {
-    std::error_code failed;
-    const fs::path path = fs::path(folder) / stored;
-    if (fs::is_regular_file(path, failed) && liesWithin(path, folder)) return path.string();
-  }
+std::string FolderSource::find(const std::string& name) const {
+  for (const std::string& folder : folders_)
+    for (const char* suffix : kSuffixes)
+      if (!pathIn(folder, name + suffix).empty()) return name + suffix;
   return {};
 }
 
-bool FolderSource::contains(const std::string& stored) const {
-  return !pathOf(stored).empty();
+std::string FolderSource::pathOf(const std::string& stored) const {
+  for (const std::string& folder : folders_)
+    if (const std::string path = pathIn(folder, stored); !path.empty()) return path;
+  return {};
 }
 
 std::optional<std::string> FolderSource::bytes(const std::string& stored) const {
   const std::string path = pathOf(stored);
   const Result<std::string> read = path.empty() ? Error{} : readFile(path, kLongestFile, "content");
   return read ? std::optional<std::string>(*read) : std::nullopt;
+}
+
+std::string MemorySource::find(const std::string& name) const {
+  for (const char* suffix : kSuffixes)
+    if (files_.contains(name + suffix)) return name + suffix;
+  return {};
 }
 
 std::optional<std::string> MemorySource::bytes(const std::string& stored) const {

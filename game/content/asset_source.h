@@ -31,17 +31,19 @@ class AssetSource {
  protected:
   /// The bytes as stored under exactly this name, or nothing.
   virtual std::optional<std::string> bytes(const std::string& stored) const = 0;
-  virtual bool contains(const std::string& stored) const = 0;
+  /// Likewise of a name that leads nowhere else.
+  virtual std::string find(const std::string& name) const = 0;
 };
 
-/// Folders, searched in the order given: a level pack before the assets it builds on.
+/// Folders, searched in the order given, under whatever name they store a file: a level pack before the assets it
+/// builds on.
 class FolderSource : public AssetSource {
  public:
   explicit FolderSource(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
  protected:
   std::optional<std::string> bytes(const std::string& stored) const override;
-  bool contains(const std::string& stored) const override;
+  std::string find(const std::string& name) const override;
 
  private:
   std::string pathOf(const std::string& stored) const;
@@ -55,7 +57,7 @@ class MemorySource : public AssetSource {
 
  protected:
   std::optional<std::string> bytes(const std::string& stored) const override;
-  bool contains(const std::string& stored) const override { return files_.count(stored) != 0; }
+  std::string find(const std::string& name) const override;
 
  private:
   std::map<std::string, std::string> files_;
@@ -64,6 +66,8 @@ class MemorySource : public AssetSource {
 /// Whether a name may be looked up at all: relative, forward slashes, no `.` or `..` parts, no colon, no control
 /// characters.
 bool isSafeName(const std::string& name);
+/// A name without what the store adds to it: .mp3, .gz.
+std::string bareName(std::string stored);
 /// Whether bytes begin as a gzip archive does.
 bool isGzip(const std::string& bytes);
 /// What a gzip or zlib archive (RFC 1952, RFC 1950) holds; fails if it is none, damaged, or longer than kLongestFile.

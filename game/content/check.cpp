@@ -10,6 +10,7 @@
 #include "game/content/material.h"
 #include "game/content/script_names.h"
 #include "game/content/segment.h"
+#include "game/content/xml_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,20 +26,9 @@ namespace fs = std::filesystem;
 constexpr int kMostFiles = 100000;
 constexpr int kMostParents = 20;
 
-bool endsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
-/// The name without what the store adds to it: .mp3, .gz.
-std::string bareName(std::string name) {
-  for (const std::string_view suffix : {".mp3", ".gz"})
-    if (endsWith(name, suffix)) name.erase(name.size() - suffix.size());
-  return name;
-}
-
 bool isContent(const std::string& path) {
   const std::string name = bareName(path);
-  return endsWith(name, ".xml") || endsWith(name, ".lua") || endsWith(name, ".mesh");
+  return name.ends_with(".xml") || name.ends_with(".lua") || name.ends_with(".mesh");
 }
 
 /// The name of the first element of an XML text; empty if there is none.
@@ -63,6 +53,7 @@ class Checker {
     std::error_code failed;
     findRoot(path);
     if (fs::is_directory(path, failed)) {
+      isFolder_ = true;
       for (const std::string& file : filesIn(path)) checkFile(file);
     } else if (isContent(path)) {
       checkFile(path);
@@ -135,6 +126,7 @@ class Checker {
   /// `shown`: the folder as its files are named in messages.
   void useRoot(const fs::path& folder, const fs::path& shown) {
     root_.emplace(std::vector<std::string>{folder.string()});
+    report_.root = shown.string();
     const Result<std::string> text = root_->read("templates.xml");
     if (text)
       templates_ = readTemplates(*text, (shown / root_->storedName("templates.xml")).lexically_normal().string());
@@ -151,10 +143,10 @@ class Checker {
     }
     const Result<std::string> raw = readFile(path, kLongestFile, "content");
     if (!raw) return problem(path, raw.error());
-    if (endsWith(bareName(path), ".mesh")) return checkMesh(path, *raw);
+    if (bareName(path).ends_with(".mesh")) return checkMesh(path, *raw);
     const Result<std::string> text = unpacked(*raw);
     if (!text) return problem(path, 0, text.error().message);
-    if (endsWith(bareName(path), ".lua")) {
+    if (bareName(path).ends_with(".lua")) {
       checkScript(path, *text);
     } else {
       checkXml(path, *text);
@@ -168,11 +160,31 @@ class Checker {
   }
 
   void checkXml(const std::string& path, const std::string& text) {
-    const std::string kind = firstElement(text);
-    if (kind.empty()) return problem(path, 0, "there is no element in this file");
+    const std::string must = kindAt(path);
+    const std::string kind = must.empty() ? firstElement(text) : must;
+    if (!isPlainName(kind)) return problem(path, 1, text.empty() ? "an empty file" : "not XML", {}, "an element");
     Problems problems = unknownNames(text, path, kind);
     if (!read(kind, path, text, problems) && problems.empty()) ++report_.skipped;
     take(problems);
+  }
+
+  /// The first element that a file must have where it lies in the asset folder; empty where it may have any.
+  std::string kindAt(const std::string& path) const {
+    const fs::path name = nameInRoot(path);
+    if (name.empty()) return {};
+    const std::string first = name.begin()->string();
+    if (std::next(name.begin()) == name.end()) {
+      if (first == "templates.xml" || first == "materials.xml" || first == "game.xml") return name.stem().string();
+      return {};
+    }
+    return first == "levels" ? "level" : first == "segments" ? "segment" : "";
+  }
+
+  /// As the game names it; empty outside of the asset folder.
+  fs::path nameInRoot(const std::string& path) const {
+    if (!root_) return {};
+    const fs::path name = fs::path(bareName(path)).lexically_relative(report_.root);
+    return name.empty() || *name.begin() == ".." ? fs::path() : name;
   }
 
   /// Adds what the reader of this kind of file says; false if there is none.
@@ -220,6 +232,9 @@ class Checker {
     const Level level = content::readLevel(text, path);
     report_.rooms += static_cast<int>(level.rooms.size());
     add(level.problems, problems);
+    const fs::path name = nameInRoot(path);
+    if (isFolder_ && !level.rooms.empty() && !name.empty() && *name.begin() == "levels")
+      report_.playable.push_back(fs::path(name).replace_extension().lexically_relative("levels").generic_string());
     for (const Room& room : level.rooms)
       if (root_ && !root_->has("rooms/" + room.type + ".lua"))
         problems.push_back(
@@ -266,7 +281,8 @@ class Checker {
   }
 
   CheckReport report_;
-  std::optional<FolderSource> root_;
+  bool isFolder_ = false;             // what is checked
+  std::optional<FolderSource> root_;  // report_.root
   TemplateSet templates_;
   std::set<std::string> obstacles_;  // that have a script in the asset folder
   std::set<std::string> listed_;

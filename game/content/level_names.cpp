@@ -78,22 +78,10 @@ bool holds(Names names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// As editors mark what is theirs.
-bool isEditors(std::string_view name) {
-  return name.find('-') != std::string_view::npos || name.substr(0, 1) == "_" || name == "IMPORT_IGNORE" ||
-         name == "drm";
-}
-
 /// param10 and on.
 bool isParameter(std::string_view name) {
   return name.size() > 5 && name.substr(0, 5) == "param" &&
          std::all_of(name.begin() + 5, name.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-std::string listOf(Names names) {
-  std::string list;
-  for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return names.size() == 1 ? list : "one of " + list;
 }
 
 /// Templates may be of any kind of element.
@@ -132,7 +120,7 @@ class Search {
 
   void checkElement(const pugi::xml_node& node, Names known) {
     const std::string_view name = node.name();
-    if (!holds(known, name) && !isEditors(name)) report("unknown element", node.name(), known);
+    if (!holds(known, name) && !isEditorsName(name)) report("unknown element", node.name(), known);
   }
 
   void checkAttributes(const pugi::xml_node& node) {
@@ -145,7 +133,7 @@ class Search {
     const bool hasParameters = isTemplate || element == "obstacle";
     for (const pugi::xml_attribute& attribute : node.attributes()) {
       const std::string_view name = attribute.name();
-      if (holds(known, name) || isEditors(name) || (hasParameters && isParameter(name))) continue;
+      if (holds(known, name) || isEditorsName(name) || (hasParameters && isParameter(name))) continue;
       report("<" + std::string(element) + "> unknown attribute", attribute.name(), known);
     }
   }
@@ -168,6 +156,11 @@ Problems unknownNames(const std::string& text, const std::string& file, std::str
   const std::string nearest = nearestOf(root, kRoots);
   if (nearest.empty()) return {};
   return {{file, 0, "unknown element", std::string(root), nearest}};
+}
+
+bool isEditorsName(std::string_view name) {
+  return name.find('-') != std::string_view::npos || name.substr(0, 1) == "_" || name == "IMPORT_IGNORE" ||
+         name == "drm";
 }
 
 bool isKnownObstacle(std::string_view type) {

@@ -12,9 +12,11 @@ namespace brittle::content {
 
 /// Each element and attribute of a level file that is none of the format's, with the nearest one that is. `root`: its
 /// first element, which says what kind of file it is; of other kinds nothing is known. Left alone is what editors mark
-/// as their own: names with - in them, with _ in front, IMPORT_IGNORE, drm; and rooms' attributes, which are their
-/// authors' to invent.
+/// as their own, and rooms' attributes, which are their scripts' to ask for (parameter_names.h).
 Problems unknownNames(const std::string& text, const std::string& file, std::string_view root);
+
+/// Whether editors mark what is theirs so: names with - in them, with _ in front, IMPORT_IGNORE, drm.
+bool isEditorsName(std::string_view name);
 
 /// Whether obstacles of this type belong to the format, with a script here or not.
 bool isKnownObstacle(std::string_view type);

@@ -41,4 +41,10 @@ std::string nearestOf(std::string_view name, std::span<const std::string_view> k
   return std::string(nearest);
 }
 
+std::string listOf(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
+  return names.size() == 1 ? list : "one of " + list;
+}
+
 }  // namespace brittle::content

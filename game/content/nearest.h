@@ -11,4 +11,7 @@ namespace brittle::content {
 /// near. Ties: the first.
 std::string nearestOf(std::string_view name, std::span<const std::string_view> known);
 
+/// "a", or "one of a, b, c".
+std::string listOf(std::span<const std::string_view> names);
+
 }  // namespace brittle::content

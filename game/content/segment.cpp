@@ -92,7 +92,7 @@ void readParams(const Attributes& attributes, std::vector<Param>& params) {
       attributes.reportAt(name.c_str(), name, "key=value");
       continue;
     }
-    params.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    params.push_back({text.substr(0, equals), text.substr(equals + 1), !attributes.isOwn(name.c_str())});
   }
 }
 

@@ -21,6 +21,7 @@ namespace brittle::content {
 struct Param {
   std::string key;
   std::string value;
+  bool isShared = false;  // of its template, which may serve obstacles of other types too
 };
 
 /// A static box. `hidden` elements are left out by the editor: they neither collide nor show.

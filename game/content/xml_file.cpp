@@ -35,14 +35,27 @@ bool closesAt(const std::string& text, std::size_t offset, const std::string& na
   return tag != std::string::npos && text.compare(tag + 2, name.size(), name) == 0;
 }
 
+/// No XML has such a byte: Extensible Markup Language 1.0, section 2.2.
+bool isNoText(char byte) {
+  return static_cast<unsigned char>(byte) < 32 && byte != '\t' && byte != '\n' && byte != '\r';
+}
+
 bool isSane(double value) {
   return value <= kLargestNumber && value >= -kLargestNumber;
 }
 
 }  // namespace
 
+bool isPlainName(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == ':' || c == '.';
+  });
+}
+
 XmlFile::XmlFile(const std::string& text, const std::string& file, const char* root, Problems& problems)
     : file_(file), problems_(problems), lineStarts_{0} {
+  const std::size_t before = problems.size();
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') lineStarts_.push_back(i + 1);
   std::size_t start = 0, parsed = 0;
@@ -63,7 +76,28 @@ XmlFile::XmlFile(const std::string& text, const std::string& file, const char* r
     if (next == std::string::npos) break;
     start = next;
   }
-  if (!root_) report({file_, 0, std::string("there is no <") + root + "> element", {}, {}});
+  if (!root_) sayWhatElse(text, root, before);
+}
+
+void XmlFile::sayWhatElse(const std::string& text, const char* root, std::size_t before) {
+  const bool isEmpty = text.find_first_not_of(" \t\r\n") == std::string::npos;
+  Problem problem = {file_, 1, isEmpty ? "an empty file" : "not XML", {}, std::string("<") + root + ">"};
+  if (std::any_of(text.begin(), text.end(), isNoText)) {
+    problem.what += ": bytes that are no text";
+  } else if (const pugi::xml_node other = firstElement()) {
+    problem = {file_, lineOf(other), "another kind of file", std::string("<") + other.name() + ">", problem.expected};
+  } else if (problems_.size() > before) {
+    problem.line = problems_[before].line;
+    problem.what = "not " + problems_[before].what;
+  }
+  problems_.erase(problems_.begin() + static_cast<std::ptrdiff_t>(before), problems_.end());
+  report(std::move(problem));
+}
+
+pugi::xml_node XmlFile::firstElement() const {
+  for (const pugi::xml_node& node : pieces_.front().document.children())
+    if (node.type() == pugi::node_element && isPlainName(node.name())) return node;
+  return {};
 }
 
 pugi::xml_parse_result XmlFile::parsePiece(const std::string& text, std::size_t start) {

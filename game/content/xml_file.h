@@ -19,6 +19,9 @@
 
 namespace brittle::content {
 
+/// Whether it can be the name of an element: bytes that are no text look like one now and then.
+bool isPlainName(std::string_view name);
+
 class XmlFile {
  public:
   /// `root`: the element that the file should consist of.
@@ -44,6 +47,10 @@ class XmlFile {
   };
   pugi::xml_parse_result parsePiece(const std::string& text, std::size_t start);
   void collect(const Piece& piece, const char* root);
+  /// Without its root a file is none of its kind: one line says what it is, in place of the problems from `before` on,
+  /// all that the parser stumbled over.
+  void sayWhatElse(const std::string& text, const char* root, std::size_t before);
+  pugi::xml_node firstElement() const;
   int lineAt(std::size_t offset) const;
 
   std::string file_;
@@ -73,6 +80,8 @@ class Attributes {
   /// Not empty, at most 1000 bytes.
   Found text(const char* name, std::string& value) const;
 
+  /// Whether the element itself has it, not its template.
+  bool isOwn(const char* name) const { return !node_.attribute(name).empty(); }
   int line() const { return line_; }
   void report(std::string_view what, std::string_view value = {}, std::string_view expected = {}) const;
   /// Reports at the attribute itself.

@@ -43,6 +43,13 @@ Result<std::shared_ptr<const content::Segment>> ContentReader::segment(const std
   return made;
 }
 
+const content::ParameterNames& ContentReader::parameterNames(const std::string& script) {
+  const auto known = parameterNames_.find(script);
+  if (known != parameterNames_.end()) return known->second;
+  const Result<std::string> source = text(script);
+  return parameterNames_[script] = source ? content::parameterNames(*source) : content::ParameterNames{{}, true};
+}
+
 std::vector<std::string> ContentReader::takeProblems() {
   std::vector<std::string> taken;
   taken.swap(problems_);

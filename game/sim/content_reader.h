@@ -14,6 +14,7 @@
 #include "game/content/asset_source.h"
 #include "game/content/level.h"
 #include "game/content/material.h"
+#include "game/content/parameter_names.h"
 #include "game/content/segment.h"
 
 namespace brittle::sim {
@@ -27,6 +28,8 @@ class ContentReader {
   /// segments/NAME.xml.
   Result<std::shared_ptr<const content::Segment>> segment(const std::string& name);
   const content::MaterialTable& materials() const { return materials_; }
+  /// What the script asks for; of one that cannot be read, anything.
+  const content::ParameterNames& parameterNames(const std::string& script);
 
   /// Over the names and bytes of every file read so far, whatever the order. Files that only the picture reads (baked
   /// meshes) are none of them: without them a replay plays the same.
@@ -42,6 +45,7 @@ class ContentReader {
   content::MaterialTable materials_;
   std::map<std::string, Result<std::string>> texts_;
   std::map<std::string, std::shared_ptr<const content::Segment>> segments_;
+  std::map<std::string, content::ParameterNames> parameterNames_;
   std::vector<std::string> problems_;
   std::set<std::string> unknownTemplates_;
   std::uint64_t hash_ = 0;

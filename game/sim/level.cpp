@@ -1,6 +1,7 @@
 #include "game/sim/level.h"
 
 #include "game/content/level.h"
+#include "game/sim/unread.h"
 
 namespace brittle::sim {
 
@@ -22,17 +23,19 @@ Result<std::vector<RoomEntry>> loadLevel(Session& session, const std::string& na
     entries.push_back(std::move(entry));
   }
   if (!entries.empty()) entries.back().endsAtCheckpoint = true;
-  if (entries.empty()) return Error{file + ": no rooms, expected at least one <room type=...>"};
+  if (entries.empty()) return Error{level.problems.front().text()};  // readLevel() says why
   return entries;
 }
 
 void readAhead(Session& session, const std::vector<RoomEntry>& entries) {
   std::map<std::string, std::string> globals = session.globals;
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    reportUnread(session, entries[i]);
     const RoomPlan plan = planRoom(session, entries[i], roomSeed(session, entries[i], i), globals);
     for (const ObstacleDef& obstacle : plan.obstacles) {
       const Result<std::string> script = session.files.text("obstacles/" + obstacle.type + ".lua");
       if (!script) session.reportMissing("obstacle " + obstacle.type, obstacle.where, script.error().message);
+      reportUnread(session, obstacle);
     }
   }
   session.omissions = {};  // counted when a room is made

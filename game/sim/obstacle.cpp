@@ -27,12 +27,12 @@ int Obstacle::numberOf(physics::BodyHandle handle) {
 }
 
 Status Obstacle::load() {
-  const Result<std::string> source = room->readScript("obstacles/" + def->type + ".lua");
+  const std::string file = "obstacles/" + def->type + ".lua";
+  const Result<std::string> source = room->readScript(file);
   if (!source) return source.error();
   if (source->size() > rules::kLongestScript)
     return errorAt(
-        "obstacles/" + def->type + ".lua", 0,
-        std::to_string(source->size()) + " bytes, expected at most " + std::to_string(rules::kLongestScript));
+        file, 0, std::to_string(source->size()) + " bytes, expected at most " + std::to_string(rules::kLongestScript));
   script::Limits limits;
   scriptHashed_ = false;
   limits.instructions = rules::kScriptInstructions;
@@ -40,7 +40,7 @@ Status Obstacle::load() {
   limits.largestBlockBytes = rules::kScriptMemory / 4;
   limits.longestString = rules::kScriptMemory / 16;
   script = std::make_unique<script::Sandbox>(obstacleLibrary(), mixSeed(room->seed(), number), limits, this);
-  return script->load(*source, def->type + ".lua");
+  return script->load(*source, file);
 }
 
 std::int64_t Obstacle::start() {

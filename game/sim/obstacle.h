@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct ObstacleDef {
   Vec3 position = Vec3::Zero();  // room frame [m]
   Vec3 rotation = Vec3::Zero();  // about X, Y, Z [rad]
   std::map<std::string, std::string> parameters;
-  std::string where;  // "file:line" that asked
+  std::set<std::string> shared;  // names of those that come from its template
+  std::string where;             // "file:line" that asked
 };
 
 /// A drive as the script set it, in the obstacle's frame.

@@ -15,7 +15,7 @@ enum class Omission : std::uint8_t {
   DeferredObstacle,  // waits another tick to start: rules::kRoomInstructions
   IdleScript,        // did nothing in a tick: the same
   RemovedObstacle,   // rules::kMaxContactsPerRoom
-  RefusedContent,    // things of a level, or of a script, that a room has no place for: once where several follow
+  RefusedContent,    // things of a level, or of a script, that a room has no place for
   RefusedThrow,      // more in a tick than an input frame may hold
   RefusedSplash,     // rules::kMaxSplashes
   UntoldProblem,     // rules::kMaxProblems

@@ -68,7 +68,7 @@ void Room::tick(float distance, float speed, std::int32_t ticks, const TimeStep&
       waters_.slow(*world_, plan_.waters, shift_, plan_.settings.gravity, time.seconds());
   world_->step(time.seconds());
   readEvents();
-  if (world_->counters().tallest > 0) demandOnce(effects::Effect::Stacks, "what stands on one another");
+  if (world_->counters().tallest > 0) demandOnce(effects::Effect::Stacks, "by the game: what stands on one another");
   collectPickups();
   if constexpr (effects::kHasExplosions)
     if (runs(effects::Effect::Explosions)) explodeBalls();

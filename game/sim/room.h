@@ -78,6 +78,8 @@ class Room {
   // Looking.
   const RoomSettings& settings() const { return plan_.settings; }
   const RoomEntry& entry() const { return entry_; }
+  /// Whether other modes have obstacles in it that this one has not.
+  bool hasOtherModes() const { return plan_.hasOtherModes; }
   const effects::EffectSet& effects() const { return plan_.effects; }
   std::uint64_t number() const { return number_; }
   std::uint32_t slot() const { return slot_; }

@@ -93,7 +93,8 @@ void Room::readHit(const physics::HitEvent& hit) {
   event.striker = striker.look;
   event.size = striker.size;
   event.value = striker.isBall ? 1 : 0;
-  if (striker.isBall && struck.look == Look::Static) demandOnce(effects::Effect::Decals, "the mark of a ball");
+  if (striker.isBall && struck.look == Look::Static)
+    demandOnce(effects::Effect::Decals, "by the game: the mark of a ball");
   emit(event);
 }
 

@@ -119,7 +119,7 @@ void Room::collectPickups() {
 
 void Room::demandFor(PowerUp kind) {
   const std::optional<effects::Effect> effect = effectOf(kind);
-  if (effect) demandOnce(*effect, "a power-up of another room");
+  if (effect) demandOnce(*effect, "by the game: a power-up of another room");
 }
 
 /// Whether each that waits has a body of its own, and nobody else's.

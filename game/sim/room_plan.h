@@ -65,6 +65,7 @@ struct RoomPlan {
   Crowd crowd;
   std::deque<ObstacleDef> obstacles;  // addresses stay
   std::vector<PlannedPickup> pickups;
+  bool hasOtherModes = false;  // some obstacles are for other modes than the game's
   effects::EffectSet effects;  // what its script demands
 };
 

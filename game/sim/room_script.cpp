@@ -7,6 +7,7 @@
 #include "engine/script/sandbox.h"
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
+#include "game/sim/unread.h"
 
 namespace brittle::sim {
 
@@ -112,7 +113,10 @@ void obstacle(script::Call& call, Builder& builder) {
   if (!(def.position.cwiseAbs().maxCoeff() <= rules::kFarthest &&
         def.rotation.cwiseAbs().maxCoeff() <= rules::kMostAngle))
     return call.fail("expected a place within 10000 m and angles within 1e6");
-  if (def.type == kStone) return placeBox(builder.session, stoneLook(def), false, def.where, builder.plan);
+  if (def.type == kStone) {
+    reportUnread(builder.session, def);
+    return placeBox(builder.session, stoneLook(def), false, def.where, builder.plan);
+  }
   placeObstacle(builder.session, std::move(def), builder.plan);
 }
 
@@ -147,6 +151,7 @@ void fogColor(script::Call& call, Builder& builder) {
   if (call.failed()) return;
   builder.plan.settings.fogBottom = first;
   builder.plan.settings.fogTop = second;
+  builder.plan.effects.demand(effects::Effect::Fog, call.where());
 }
 
 struct Range {
@@ -157,16 +162,19 @@ constexpr Range kEcho[] = {
     {0.0f, 1.0f}, {0.0f, 2.0f}, {0.0f, 0.95f}, {0.0f, 1.0f}};  // volume, delay [s], feedback, low-pass
 constexpr Range kLowPass = {0.0f, 1.0f};
 
-/// A number of the room's sound. What is beyond its range counts as the end of it, and is reported.
-float limited(script::Call& call, Builder& builder, int index, const Range& range) {
-  const float asked = call.real(index, 0.0f);
+/// What is beyond its range counts as the end of it, and is reported.
+float limited(script::Call& call, Builder& builder, int index, float asked, const Range& range) {
   const float value = clampTo(asked, range.low, range.high);
   if (value == asked || call.failed()) return value;
   char text[80];
   std::snprintf(text, sizeof text, ": argument %d is %g, expected %g to %g", index, static_cast<double>(asked),
                 static_cast<double>(range.low), static_cast<double>(range.high));
-  builder.session.report(call.where() + text);
+  builder.session.report(call.where() + ": " + call.name() + text);
   return value;
+}
+
+float limited(script::Call& call, Builder& builder, int index, const Range& range) {
+  return limited(call, builder, index, call.real(index, 0.0f), range);
 }
 
 template <auto field, const auto& ranges, effects::Effect effect>
@@ -186,10 +194,16 @@ void setLowPass(script::Call& call, Builder& builder) {
   if (amount > 0.0f) builder.plan.effects.demand(effects::Effect::LowPass, call.where());
 }
 
-template <float RoomSettings::*field>
-void setValue(script::Call& call, Builder& builder) {
+void setDifficulty(script::Call& call, Builder& builder) {
   const float value = call.real(1);
-  if (!call.failed()) builder.plan.settings.*field = value;
+  if (!call.failed()) builder.plan.settings.difficulty = value;
+}
+
+constexpr Range kTimesGravity = {-10.0f, 10.0f};
+
+void setGravity(script::Call& call, Builder& builder) {
+  const float value = limited(call, builder, 1, call.real(1), kTimesGravity);
+  if (!call.failed()) builder.plan.settings.gravity = value;
 }
 
 void setParticles(script::Call& call, Builder& builder) {
@@ -206,12 +220,14 @@ void setMusic(script::Call& call, Builder& builder) {
   if (!name.empty() && name != "silent") builder.plan.effects.demand(effects::Effect::Music, call.where());
 }
 
+constexpr Range kTurns = {-100.0f, 100.0f}, kTurnAngle = {-kPi, kPi};  // [turns], [rad]
+
 void rotation(script::Call& call, Builder& builder) {
-  const float turns = call.real(1);
-  const float angle = call.real(2, 0.0f);
+  const float turns = limited(call, builder, 1, call.real(1), kTurns);
+  const float angle = limited(call, builder, 2, kTurnAngle);
   if (call.failed()) return;
-  builder.plan.settings.turns = clampTo(turns, -100.0f, 100.0f);
-  builder.plan.settings.turnAngle = clampTo(angle, -kPi, kPi);
+  builder.plan.settings.turns = turns;
+  builder.plan.settings.turnAngle = angle;
   if (builder.plan.settings.turns != 0.0f) builder.plan.effects.demand(effects::Effect::CameraRoll, call.where());
 }
 
@@ -332,8 +348,8 @@ void addMoodCalls(script::Library& library) {
   add(library, "mgLowPass", setLowPass);
   add(library, "mgMusic", setMusic);
   add(library, "mgParticles", setParticles);
-  add(library, "mgGravity", setValue<&RoomSettings::gravity>);
-  add(library, "mgSetDifficulty", setValue<&RoomSettings::difficulty>);
+  add(library, "mgGravity", setGravity);
+  add(library, "mgSetDifficulty", setDifficulty);
   add(library, "mgSetRotation", rotation);
   add(library, "mgRotation", rotation);
   add(library, "mgDepthOfField", depthOfField);
@@ -369,9 +385,9 @@ RoomPlan planRoom(Session& session, const RoomEntry& entry, std::uint64_t seed,
   }
   if (!status) session.report(entry.where + ": room " + entry.type + ": " + status.error().message);
   RoomSettings& settings = builder.plan.settings;
-  settings.gravity = clampTo(settings.gravity, -10.0f, 10.0f);
   if (settings.length == 0.0f) settings.length = builder.placed > 8.0f ? builder.placed : rules::kDefaultRoomLength;
-  builder.plan.effects.demand(effects::Effect::Fog, path);
+  if (!builder.plan.effects.has(effects::Effect::Fog))
+    builder.plan.effects.demand(effects::Effect::Fog, "by the game: every room has fog");
   return std::move(builder.plan);
 }
 

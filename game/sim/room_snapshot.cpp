@@ -19,7 +19,7 @@ void Room::serialize(Archive& a) {
   a.vector(unseen_);
   std::uint32_t demanded = plan_.effects.demanded().bits();
   a(demanded);
-  plan_.effects.keep(effects::EffectMask::ofBits(demanded));
+  plan_.effects.keep(effects::EffectMask::ofBits(demanded), "by the game: a snapshot has it");
 }
 
 std::uint64_t Room::stateHash() const {

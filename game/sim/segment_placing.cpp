@@ -4,6 +4,7 @@
 #include "engine/core/hash.h"
 #include "game/content/number.h"
 #include "game/sim/room_plan.h"
+#include "game/sim/unread.h"
 
 namespace brittle::sim {
 
@@ -24,13 +25,25 @@ LookBox lookOf(const content::Box& box) {
   return look;
 }
 
+/// "file:line" of one of its elements.
+template <class Element>
+std::string placeOf(const content::Segment& segment, const Element& element) {
+  return segment.file + ":" + std::to_string(element.line);
+}
+
 ObstacleDef defOf(const content::Obstacle& obstacle, const content::Segment& segment) {
   ObstacleDef def;
   def.type = obstacle.type;
   def.position = obstacle.position;
   def.rotation = obstacle.rotation;
-  for (const content::Param& param : obstacle.params) def.parameters[param.key] = param.value;
-  def.where = segment.file + ":" + std::to_string(obstacle.line);
+  for (const content::Param& param : obstacle.params) {
+    def.parameters[param.key] = param.value;
+    if (param.isShared)
+      def.shared.insert(param.key);
+    else
+      def.shared.erase(param.key);
+  }
+  def.where = placeOf(segment, obstacle);
   return def;
 }
 
@@ -40,7 +53,8 @@ float numberOf(const ObstacleDef& obstacle, const char* key, float otherwise) {
   return number && *number > 0.001 && *number < 1000.0 ? static_cast<float>(*number) : otherwise;
 }
 
-std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const content::Segment& segment) {
+std::shared_ptr<const SegmentLook> makeLook(Session& session, const std::string& name,
+                                            const content::Segment& segment) {
   auto look = std::make_shared<SegmentLook>();
   look->name = name;
   look->length = segment.size.z();
@@ -48,8 +62,12 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
   look->softShadow = segment.softShadow;
   for (const content::Box& box : segment.boxes)
     if (box.visible && !box.hidden) look->boxes.push_back(lookOf(box));
-  for (const content::Obstacle& obstacle : segment.obstacles)
-    if (obstacle.type == kStone && !obstacle.hidden) look->boxes.push_back(stoneLook(defOf(obstacle, segment)));
+  for (const content::Obstacle& obstacle : segment.obstacles) {
+    if (obstacle.type != kStone || obstacle.hidden) continue;
+    const ObstacleDef stone = defOf(obstacle, segment);
+    reportUnread(session, stone);
+    look->boxes.push_back(stoneLook(stone));
+  }
   for (const content::Decal& decal : segment.decals) {
     if (decal.hidden) continue;
     LookDecal made;
@@ -68,14 +86,13 @@ std::shared_ptr<const SegmentLook> makeLook(const std::string& name, const conte
 void demandEffects(const content::Segment& segment, const SegmentLook& look, effects::EffectSet& effects) {
   const auto demandBy = [&](effects::Effect effect, const auto& elements, auto asks) {
     const auto first = std::find_if(elements.begin(), elements.end(), asks);
-    if (first != elements.end()) effects.demand(effect, segment.file + ":" + std::to_string(first->line));
+    if (first != elements.end()) effects.demand(effect, placeOf(segment, *first));
   };
   const auto isSeen = [](const content::Box& box) { return box.visible && !box.hidden; };
   demandBy(effects::Effect::Bloom, segment.boxes, [=](const auto& box) { return isSeen(box) && box.glow > 0.0f; });
   demandBy(effects::Effect::Mirror, segment.boxes, [=](const auto& box) { return isSeen(box) && box.reflection; });
   demandBy(effects::Effect::Decals, segment.decals, [](const auto& decal) { return !decal.hidden; });
-  if (look.softShadow > 0.0f)
-    effects.demand(effects::Effect::Shadows, segment.file + ":" + std::to_string(segment.line));
+  if (look.softShadow > 0.0f) effects.demand(effects::Effect::Shadows, placeOf(segment, segment));
 }
 
 /// No file's: the colon leads out of the assets.
@@ -104,31 +121,49 @@ std::uint32_t modeBit(Mode mode) {
   return content::kAllModes;
 }
 
-bool isWanted(const Session& session, const content::Obstacle& obstacle, float difficulty) {
-  if (obstacle.hidden || obstacle.type == kStone || (obstacle.modes & modeBit(session.def.mode)) == 0) return false;
-  return obstacle.difficultyMin <= difficulty && difficulty <= obstacle.difficultyMax;
+bool isWanted(const Session& session, const content::Obstacle& obstacle, RoomPlan& plan) {
+  if (obstacle.hidden || obstacle.type == kStone) return false;
+  const bool isOfMode = (obstacle.modes & modeBit(session.def.mode)) != 0;
+  plan.hasOtherModes = plan.hasOtherModes || !isOfMode;
+  const float difficulty = plan.settings.difficulty;
+  return isOfMode && obstacle.difficultyMin <= difficulty && difficulty <= obstacle.difficultyMax;
 }
 
-/// What is beyond a bound is left out; said once a game. Always false.
-bool refuse(Session& session, const std::string& things, std::uint32_t most, const char* in, const std::string& where) {
-  session.omissions.add(Omission::RefusedContent);
+bool isFull(const RoomPlan& plan) {
+  return plan.obstacles.size() >= rules::kMaxObstaclesPerRoom;
+}
+
+/// What is beyond a bound is left out: each thing counts, and it is said once a game. Always false.
+bool refuse(Session& session, std::uint64_t count, const std::string& things, std::uint32_t most, const char* in,
+            const std::string& where) {
+  session.omissions.add(Omission::RefusedContent, count);
   session.reportMissing("more than " + std::to_string(most) + " " + things + " " + in, where, "the rest is left out");
   return false;
 }
 
-/// Whether another segment, of so many boxes and other things, has a place in the room.
-bool admits(Session& session, const RoomPlan& plan, std::size_t things, const std::string& where) {
+/// What goes with a segment that has no place: its other obstacles have a bound of their own.
+std::uint64_t countParts(const content::Segment& segment) {
+  const auto isShown = [](const auto& element) { return !element.hidden; };
+  const auto isStone = [](const auto& obstacle) { return !obstacle.hidden && obstacle.type == kStone; };
+  return static_cast<std::uint64_t>(std::count_if(segment.boxes.begin(), segment.boxes.end(), isShown) +
+                                    std::count_if(segment.decals.begin(), segment.decals.end(), isShown) +
+                                    std::count_if(segment.obstacles.begin(), segment.obstacles.end(), isStone));
+}
+
+/// Whether another segment, of so many boxes and other things, has a place in the room. If not, `parts` are left out.
+bool admits(Session& session, const RoomPlan& plan, std::size_t things, std::uint64_t parts, const std::string& where) {
   if (plan.segments.size() >= rules::kMaxSegmentsPerRoom)
-    return refuse(session, "segments", rules::kMaxSegmentsPerRoom, "in a room", where);
+    return refuse(session, parts, "segments", rules::kMaxSegmentsPerRoom, "in a room", where);
   if (plan.boxes + things > rules::kMaxBoxesPerRoom)
-    return refuse(session, "boxes and decals", rules::kMaxBoxesPerRoom, "in a room", where);
+    return refuse(session, parts, "boxes and decals", rules::kMaxBoxesPerRoom, "in a room", where);
   return true;
 }
 
-/// Whether a box about `middle` [m] from the room's start has a place there.
-bool admitAt(Session& session, RoomPlan& plan, float middle, float halfLength, const std::string& where) {
+/// Whether a box about `middle` [m] from the room's start has a place there; if not, `parts` are left out.
+bool admitAt(Session& session, RoomPlan& plan, std::uint64_t parts, float middle, float halfLength,
+             const std::string& where) {
   return plan.crowd.add(middle - halfLength, middle + halfLength) ||
-         refuse(session, "boxes", rules::kMaxBoxesPerCell, "within 8 m", where);
+         refuse(session, parts, "boxes", rules::kMaxBoxesPerCell, "within 8 m", where);
 }
 
 }  // namespace
@@ -154,7 +189,8 @@ LookBox stoneLook(const ObstacleDef& stone) {
 void placeBox(Session& session, const LookBox& box, bool isSolid, const std::string& where, RoomPlan& plan) {
   PlannedSegment made;
   made.start = -(box.center.z() + box.halfExtents.z());
-  if (!admits(session, plan, 1, where) || !admitAt(session, plan, -box.center.z(), box.halfExtents.z(), where)) return;
+  if (!admits(session, plan, 1, 1, where) || !admitAt(session, plan, 1, -box.center.z(), box.halfExtents.z(), where))
+    return;
   ++plan.boxes;
   auto look = std::make_shared<SegmentLook>();
   look->length = 2.0f * box.halfExtents.z();
@@ -168,9 +204,9 @@ void placeBox(Session& session, const LookBox& box, bool isSolid, const std::str
 
 bool placeObstacle(Session& session, ObstacleDef def, RoomPlan& plan) {
   const std::string where = def.where;
-  const bool isPlaced = plan.obstacles.size() < rules::kMaxObstaclesPerRoom;
+  const bool isPlaced = !isFull(plan);
   if (isPlaced) plan.obstacles.push_back(std::move(def));
-  return isPlaced || refuse(session, "obstacles", rules::kMaxObstaclesPerRoom, "in a room", where);
+  return isPlaced || refuse(session, 1, "obstacles", rules::kMaxObstaclesPerRoom, "in a room", where);
 }
 
 void placePowerUp(Session& session, const std::string& type, const Vec3& position, const std::string& where,
@@ -182,7 +218,7 @@ void placePowerUp(Session& session, const std::string& type, const Vec3& positio
     return session.reportMissing("power-up " + type, where,
                                  std::string("this program is built without its effect, ") + effects::nameOf(*effect));
   if (plan.pickups.size() >= rules::kMaxPickupsPerRoom) {
-    refuse(session, "power-ups", rules::kMaxPickupsPerRoom, "in a room", where);
+    refuse(session, 1, "power-ups", rules::kMaxPickupsPerRoom, "in a room", where);
     return;
   }
   plan.pickups.push_back({*kind, position});
@@ -195,46 +231,54 @@ namespace {
 void placePowerUps(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
   for (const content::PowerUp& powerUp : segment.powerUps)
     if (!powerUp.hidden)
-      placePowerUp(session, powerUp.type, powerUp.position - Vec3(0.0f, 0.0f, start),
-                   segment.file + ":" + std::to_string(powerUp.line), plan);
+      placePowerUp(session, powerUp.type, powerUp.position - Vec3(0.0f, 0.0f, start), placeOf(segment, powerUp), plan);
 }
 
 void placeObstacles(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  std::uint64_t refused = 0;
+  std::string where;  // the first of them
   for (const content::Obstacle& obstacle : segment.obstacles) {
-    if (!isWanted(session, obstacle, plan.settings.difficulty)) continue;
-    ObstacleDef def = defOf(obstacle, segment);
-    def.position.z() -= start;
-    if (!placeObstacle(session, std::move(def), plan)) return;
+    if (!isWanted(session, obstacle, plan)) continue;
+    if (isFull(plan)) {
+      if (refused++ == 0) where = placeOf(segment, obstacle);
+      continue;
+    }
+    plan.obstacles.push_back(defOf(obstacle, segment));
+    plan.obstacles.back().position.z() -= start;
   }
+  if (refused > 0) refuse(session, refused, "obstacles", rules::kMaxObstaclesPerRoom, "in a room", where);
 }
 
 void placeWaters(Session& session, const content::Segment& segment, float start, RoomPlan& plan) {
+  std::uint64_t refused = 0;
+  std::string where;  // the first of them
   for (const content::Water& water : segment.waters) {
     if (water.hidden) continue;
-    const std::string where = segment.file + ":" + std::to_string(water.line);
     if (plan.waters.size() >= rules::kMaxWatersPerRoom) {
-      refuse(session, "waters", rules::kMaxWatersPerRoom, "in a room", where);
-      return;
+      if (refused++ == 0) where = placeOf(segment, water);
+      continue;
     }
     plan.waters.push_back({water.position - Vec3(0.0f, 0.0f, start), water.halfExtents, water.resolution});
-    plan.effects.demand(effects::Effect::Water, where);
+    plan.effects.demand(effects::Effect::Water, placeOf(segment, water));
   }
+  if (refused > 0) refuse(session, refused, "waters", rules::kMaxWatersPerRoom, "in a room", where);
 }
 
 void placeBoxes(Session& session, const std::string& name, const content::Segment& segment, float start,
                 const std::string& where, RoomPlan& plan) {
   const std::size_t things = segment.boxes.size() + segment.decals.size() + segment.obstacles.size();
-  if (!admits(session, plan, things, where)) return;
+  const std::uint64_t parts = countParts(segment);
+  if (!admits(session, plan, things, parts, where)) return;
   const auto crowdBefore = plan.crowd;
   for (const content::Box& box : segment.boxes) {
-    if (box.hidden || admitAt(session, plan, start - box.position.z(), box.halfExtents.z(), where)) continue;
+    if (box.hidden || admitAt(session, plan, parts, start - box.position.z(), box.halfExtents.z(), where)) continue;
     plan.crowd = crowdBefore;  // all of a segment or nothing
     return;
   }
   plan.boxes += static_cast<std::uint32_t>(things);
   PlannedSegment placed;
   placed.start = start;
-  placed.look = makeLook(name, segment);
+  placed.look = makeLook(session, name, segment);
   demandEffects(segment, *placed.look, plan.effects);
   for (const content::Box& box : segment.boxes)
     if (!box.hidden) placed.solids.push_back({box.position, box.halfExtents});

@@ -304,8 +304,51 @@ class CommandLine(unittest.TestCase):
             (self.folder / "one" / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / "one" / name).write_text(text)
         lines = brittle("check", self.folder / "one").stdout.splitlines()
-        self.assertEqual(lines[-1], "1 level, 1 room, 1 segment (1 box, 0 obstacles), 0 meshes, 1 script, 0 other files skipped: 1 problem")
+        self.assertEqual(lines[-1], "1 level, 1 room (1 tried), 1 segment (1 box, 0 obstacles), 0 meshes, 1 script, 0 other files skipped: 1 problem")
         self.assertIn("one.xml:1: unknown element, got 'bxo', expected", lines[0])
+
+    def test_check_tries_the_rooms_of_a_folder(self):
+        folder = self.folder / "pack"
+        for name, text in {"levels/a.xml.mp3": '<level>\n<room type="a" length="1" lenght="2"/><room type="none" length="1"/></level>',
+                           "rooms/a.lua": 'function init()\n mgSegment("a", 0) mgSegment("b") mgGravity(99)\nend',
+                           "segments/a.xml": '<segment size="1 1 1"><bxo/>\n<obstacle pos="0 1 -1" type="wrong" param1="sped=3"/>\n'
+                                             '<obstacle pos="0 1 -1" type="scoretop" param1="sttic=1"/>\n'
+                                             '<obstacle pos="0 1 -1" type="submarine"/></segment>',
+                           "obstacles/wrong.lua": 'a = mgGetFloat("speed", 1)\nfunction init() while true do end end'}.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text)
+        found = brittle("check", folder)
+        self.assertEqual(found.returncode, 1)
+        lines = found.stdout.replace(f"{folder}/", "").splitlines()
+        self.assertEqual(lines[:-1], [
+            "levels/a.xml.mp3:2: the room has no script, got 'none', expected a file rooms/none.lua",
+            "segments/a.xml:1: unknown element, got 'bxo', expected one of box, obstacle, decal, powerup, water, model",
+            "segments/a.xml:4: unknown obstacle type, got 'submarine', expected a file obstacles/submarine.lua",
+            "levels/a.xml.mp3:2: an attribute that rooms/a.lua never asks for, got 'lenght=2', expected none",
+            "rooms/a.lua:2: segment b: segments/b.xml: there is no such file",
+            "rooms/a.lua:2: mgGravity: argument 1 is 99, expected -10 to 10",
+            "segments/a.xml:2: a parameter that obstacles/wrong.lua never asks for, got 'sped=3', expected speed",
+            "segments/a.xml:3: a parameter that obstacles/scoretop.lua never asks for, got 'sttic=1', expected static",
+            "segments/a.xml:2: obstacle wrong: obstacles/wrong.lua:2: the budget of 200000 instructions is used up"])
+        self.assertIn("2 rooms (1 tried)", lines[-1])
+        self.assertIn("9 problems", lines[-1])
+        self.assertIn("trying rooms: 100 %", found.stderr)
+        for part in ["segments", "segments/a.xml", "levels/a.xml.mp3"]:
+            self.assertNotIn("tried", brittle("check", folder / part).stdout)
+
+    def test_check_tries_nothing_where_there_is_nothing_to_try(self):
+        (self.folder / "parts").mkdir()
+        (self.folder / "parts" / "a.lua").write_text("x = 1")
+        result = brittle("check", self.folder / "parts")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+
+    def test_ctrl_c_ends_a_check(self):
+        folder = self.folder / "endless"
+        for name, text in {"levels/a.xml": "<level>" + 500 * '<room type="a" length="1"/>' + "</level>",
+                           "rooms/a.lua": "function init() while true do end end"}.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(text)
+        self.interrupted("check", folder, after="")
 
     def test_a_number_that_a_script_of_ours_needs_is_asked_for(self):
         for command in [("fuzz", "--seconds"), ("fuzz", "--seconds", "soon"), ("cross_hash", "--ticks")]:

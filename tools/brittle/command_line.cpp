@@ -156,9 +156,14 @@ void addSmoke(CLI::App& app, Action& action) {
 
 void addCheck(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "read levels, rooms and segments and name every fault as file:line");
+  CLI::App* command = app.add_subcommand(
+      "check", "read levels, rooms and segments and name every fault as file:line; try the rooms of a folder's levels");
   command->add_option("PATH", options->paths, "files or folders")->required();
-  command->footer("Examples:\n  brittle check assets\n  brittle check my_level/segments/wall.xml");
+  command->footer(
+      "Of a folder with levels/ every room is made as the game makes it, in each mode: what its script and its "
+      "obstacles' "
+      "scripts do wrong is named too. Of a folder without, or of files, only the files are read.\n\n"
+      "Examples:\n  brittle check assets\n  brittle check my_level/segments/wall.xml");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 

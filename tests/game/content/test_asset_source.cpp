@@ -61,6 +61,25 @@ TEST(AssetSource, TheFirstFolderThatHasItCounts) {
   EXPECT_TRUE(source.has("levels/yard.xml"));
 }
 
+TEST(AssetSource, TheFirstFolderCountsHoweverItStoresAFile) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "brittle_layers";
+  for (const char* layer : {"pack", "shipped"}) fs::create_directories(folder / layer);
+  std::ofstream(folder / "pack/templates.xml.mp3") << "the pack's";
+  std::ofstream(folder / "shipped/templates.xml") << "shipped";
+  const FolderSource source({(folder / "pack").string(), (folder / "shipped").string()});
+  EXPECT_EQ(*source.read("templates.xml"), "the pack's");
+  fs::remove_all(folder);
+}
+
+TEST(AssetSource, ATextIsNoArchiveHoweverItBegins) {
+  for (int second = 9; second < 127; ++second) {
+    const std::string text = "x" + std::string(1, static_cast<char>(second)) + "= 1";
+    if (second == '^') continue;  // begins like one, and no script, level or template does
+    EXPECT_EQ(*unpacked(text), text) << second;
+  }
+}
+
 TEST(AssetSource, DamagedArchivesAreRefused) {
   const std::string text(5000, 'x');
   const std::string packed = gzipped(text + "end");

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <map>
 #include <fstream>
 
 namespace brittle::content {
@@ -91,6 +92,59 @@ TEST(Check, ObstaclesWithoutAScriptAreNamedUnlessTheyBelongToTheFormat) {
                 file + ":5: unknown obstacle type, got 'mine/lmp', expected mine/lamp\n" + file +
                 ":6: <obstacle> unknown attribute, got 'hiden', expected hidden\n" + file +
                 ":6: unknown obstacle type, got 'submarine', expected a file obstacles/submarine.lua\n");
+}
+
+/// A fresh folder with an asset tree in it.
+std::filesystem::path treeOf(const std::string& name, const std::map<std::string, std::string>& files) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
+  std::filesystem::remove_all(folder);
+  for (const auto& [file, text] : files) {
+    std::filesystem::create_directories((folder / file).parent_path());
+    std::ofstream(folder / file) << text;
+  }
+  return folder;
+}
+
+TEST(Check, WhatLiesInLevelsAndSegmentsIsThatOrAProblem) {
+  const std::string noise("\x7f<\x01\xfe\x80 <<\0>\x02", 12), segment = "<segment size=\"1 1 1\"/>";
+  const std::string level = "<level><room type=\"r\" length=\"1\"/></level>";
+  const std::filesystem::path folder = treeOf("brittle_kinds", {{"levels/deep/noise.xml.mp3", noise},
+                                                                {"levels/empty.xml", ""},
+                                                                {"levels/good.xml", level},
+                                                                {"levels/notes.txt", noise},
+                                                                {"levels/wrong.xml", segment},
+                                                                {"other/levels/any.xml", "<svg/>"},
+                                                                {"other/noise.xml", noise},
+                                                                {"rooms/r.lua", ""},
+                                                                {"segments/good.xml.gz.mp3", segment},
+                                                                {"segments/levels/noise.xml", noise},
+                                                                {"segments/wrong.xml", "\n" + level},
+                                                                {"templates.xml", "<game/>"}});
+  const std::string file = folder.string() + "/";
+  const CheckReport report = checkPath(folder.string());
+  EXPECT_EQ(listed(report.problems),
+            file + "levels/deep/noise.xml.mp3:1: not XML: bytes that are no text, expected <level>\n" +   //
+                file + "levels/empty.xml:1: an empty file, expected <level>\n" +                          //
+                file + "levels/wrong.xml:1: another kind of file, got '<segment>', expected <level>\n" +  //
+                file + "other/noise.xml:1: not XML, expected an element\n" +                              //
+                file + "segments/levels/noise.xml:1: not XML: bytes that are no text, expected <segment>\n" + file +
+                "segments/wrong.xml:2: another kind of file, got '<level>', expected <segment>\n" +  //
+                file + "templates.xml:1: another kind of file, got '<game>', expected <templates>\n");
+  EXPECT_EQ(report.skipped, 2) << "the notes and the picture";
+  EXPECT_EQ(report.root, folder.string());
+  EXPECT_THAT(report.playable, testing::ElementsAre("good"));
+  EXPECT_EQ(listed(checkPath(file + "levels/wrong.xml").problems),
+            file + "levels/wrong.xml:1: another kind of file, got '<segment>', expected <level>\n");
+}
+
+TEST(Check, OnlyAFoldersLevelsArePlayable) {
+  const std::filesystem::path folder =
+      treeOf("brittle_playable",
+             {{"levels/deep/a.xml.mp3", "<level><room type=\"r\" length=\"1\"/></level>"}, {"rooms/r.lua", ""}});
+  EXPECT_THAT(checkPath(folder.string()).playable, testing::ElementsAre("deep/a"));
+  EXPECT_THAT(checkPath((folder / "levels").string()).playable, testing::ElementsAre("deep/a"));
+  EXPECT_THAT(checkPath((folder / "levels/deep/a.xml.mp3").string()).playable, testing::IsEmpty());
+  EXPECT_THAT(checkPath((folder / "rooms").string()).playable, testing::IsEmpty());
 }
 
 TEST(ScriptNames, NearOnesAreSuggested) {

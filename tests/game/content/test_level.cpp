@@ -1,6 +1,7 @@
 #include "game/content/level.h"
 
 #include "content_helpers.h"
+#include "engine/core/random.h"
 
 #include <gmock/gmock.h>
 
@@ -45,7 +46,20 @@ TEST(Level, AnEndlessListOfRoomsEnds) {
 
 TEST(Level, WithoutRoomsIsAProblem) {
   EXPECT_EQ(listed(readLevel("<level/>", "l.xml").problems), "l.xml:1: the level has no rooms\n");
-  EXPECT_THAT(listed(readLevel("", "l.xml").problems), HasSubstr("there is no <level> element"));
+}
+
+TEST(Level, WhatIsNoneIsSaidToBeSomethingElseInOneLine) {
+  const auto said = [](const std::string& text) { return listed(readLevel(text, "l.xml").problems); };
+  EXPECT_EQ(said(""), "l.xml:1: an empty file, expected <level>\n");
+  EXPECT_EQ(said(" \n"), "l.xml:1: an empty file, expected <level>\n");
+  EXPECT_EQ(said("no\ntags"), "l.xml:1: not XML, expected <level>\n");
+  EXPECT_EQ(said("\n<segment size=\"1 1 1\"/>"), "l.xml:2: another kind of file, got '<segment>', expected <level>\n");
+  std::string bytes;
+  Random random(3);
+  for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(random.nextBelow(256));
+  const std::string noise = said(bytes);
+  EXPECT_EQ(noise, "l.xml:1: not XML: bytes that are no text, expected <level>\n");
+  EXPECT_EQ(said("\n<!-- <level/>"), "l.xml:2: not XML: Error parsing comment, expected <level>\n");
 }
 
 TEST(Level, CutOrChangedAnywhereItIsStillSound) {

@@ -21,8 +21,8 @@ class LayeredSource : public content::FolderSource {
     const auto found = files_.find(stored);
     return found != files_.end() ? found->second : content::FolderSource::bytes(stored);
   }
-  bool contains(const std::string& stored) const override {
-    return files_.contains(stored) || content::FolderSource::contains(stored);
+  std::string find(const std::string& name) const override {
+    return files_.contains(name) ? name : content::FolderSource::find(name);
   }
 
  private:

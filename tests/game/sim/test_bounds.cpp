@@ -93,8 +93,9 @@ TEST(Bounds, SingleBoxesAndStones) {
 TEST(Bounds, BodiesOfAllObstacles) {
   const auto game = newTestGame(withObstacles(
       20, "function init() mgStatic(1) for i = 1, 200 do mgCreateBox(mgCreateBody(), .1, .1, .1) end end"));
-  EXPECT_EQ(countProblems(*game,
-                          "segments/test/corridor.xml:9: obstacle tested: tested.lua:1: mgCreateBody: too many bodies"),
+  EXPECT_EQ(countProblems(
+                *game,
+                "segments/test/corridor.xml:9: obstacle tested: obstacles/tested.lua:1: mgCreateBody: too many bodies"),
             1);
   EXPECT_EQ(game->problems().size(), 1u);
   expectPlays(*game);
@@ -105,7 +106,8 @@ TEST(Bounds, ShapesOfAllObstacles) {
   const auto game = newTestGame(withObstacles(
       20, "function init() mgStatic(1) local b = mgCreateBody() for i = 1, 400 do mgCreateBox(b, .1, .1, .1) end end"));
   EXPECT_EQ(
-      countProblems(*game, "segments/test/corridor.xml:9: obstacle tested: tested.lua:1: mgCreateBox: too many shapes"),
+      countProblems(
+          *game, "segments/test/corridor.xml:9: obstacle tested: obstacles/tested.lua:1: mgCreateBox: too many shapes"),
       1);
   EXPECT_EQ(game->problems().size(), 1u);
   expectPlays(*game);
@@ -146,7 +148,7 @@ TEST(Bounds, MemoryOfOneScript) {
   const auto game =
       newTestGame(withObstacles(3, "t = {} function tick() for i = 1, 999 do t[#t + 1] = {1, 2, 3} end end"));
   play(*game, 60);
-  EXPECT_EQ(countProblems(*game, "tested.lua:1: the memory budget is used up"), 1);
+  EXPECT_EQ(countProblems(*game, "obstacles/tested.lua:1: the memory budget is used up"), 1);
   expectPlays(*game);
 }
 
@@ -171,7 +173,8 @@ TEST(Bounds, RaysAreChargedForWhatIsInTheirWay) {
     source.add("obstacles/tested.lua", script);
     const auto game = newTestGame(source);
     play(*game, 5);
-    EXPECT_EQ(countProblems(*game, "tested.lua:1: the budget of 200000 instructions is used up"), crowd > 0 ? 1 : 0);
+    EXPECT_EQ(countProblems(*game, "obstacles/tested.lua:1: the budget of 200000 instructions is used up"),
+              crowd > 0 ? 1 : 0);
     expectPlays(*game);
   }
 }

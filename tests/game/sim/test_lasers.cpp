@@ -51,7 +51,7 @@ TEST(Lasers, AreDemandedOnceByTheLineThatAsksFirst) {
   EXPECT_EQ(game->effects().count(Effect::Lasers), 1u);
   for (const effects::Demand& demand : game->effects().demands())
     if (demand.effect == Effect::Lasers) {
-      EXPECT_EQ(demand.who, "probe.lua:3");
+      EXPECT_EQ(demand.who, "obstacles/probe.lua:3");
     }
 }
 
@@ -98,11 +98,11 @@ TEST(SeenEffects, AreDemandedByTheirCalls) {
   const std::unique_ptr<Game> smoky =
       newTestGame(scripted("function init() end\nfunction tick() mgSmoke(0, 0, 0, 0, 1, 0) end"));
   play(*smoky, 2);
-  EXPECT_EQ(who(*smoky, Effect::Smoke), "probe.lua:2");
+  EXPECT_EQ(who(*smoky, Effect::Smoke), "obstacles/probe.lua:2");
   EXPECT_EQ(smoky->effects().count(Effect::Smoke), 1u);
   const std::unique_ptr<Game> pane = newTestGame(oneRoom("<obstacle pos=\"0 1 -12\" type=\"framedwindow\"/>"));
   play(*pane, 2);
-  EXPECT_EQ(who(*pane, Effect::Splinters).find("framedwindow.lua:"), 0u);
+  EXPECT_EQ(who(*pane, Effect::Splinters).find("obstacles/framedwindow.lua:"), 0u);
   const std::unique_ptr<Game> plain = newTestGame(oneRoom(""));
   play(*plain, 2);
   for (const Effect effect :
@@ -114,7 +114,7 @@ TEST(SeenEffects, DepthOfFieldSaysWhatIsBeyondItsRange) {
   const std::unique_ptr<Game> room =
       newTestGame(oneRoom("", 160.0f, "mgSegment('test/corridor', 0) mgDepthOfField(6, 0) mgLength(160)"));
   ASSERT_EQ(room->problems().size(), 1u);
-  EXPECT_EQ(room->problems()[0].text, "rooms/test/room.lua:1: argument 2 is 0, expected 0.1 to 100");
+  EXPECT_EQ(room->problems()[0].text, "rooms/test/room.lua:1: mgDepthOfField: argument 2 is 0, expected 0.1 to 100");
 }
 
 TEST(SeenEffects, SwitchedOffTheyLeaveTheGameAsItIs) {

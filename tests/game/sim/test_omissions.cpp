@@ -41,7 +41,28 @@ TEST(Omissions, ThingsWithoutAPlace) {
       newTestGame(withObstacles(1, "function init() mgStatic(1) for i = 1, 300 do mgCreateBody() end end"));
   EXPECT_EQ(countOf(*bodies, nameOf(Omission::RefusedContent)), 1u) << "the script stops there";
   const auto obstacles = newTestGame(withObstacles(503, "function init() end"));
-  EXPECT_EQ(countOf(*obstacles, nameOf(Omission::RefusedContent)), 1u) << "and the rest with it";
+  EXPECT_EQ(countOf(*obstacles, nameOf(Omission::RefusedContent)), 3u) << "of 503";
+}
+
+// Each thing counts, however many of them stand in one segment.
+TEST(Omissions, ThingsWithoutAPlaceCountOneByOne) {
+  const auto refused = [](const std::string& elements, const std::string& room) {
+    content::MemorySource source = oneRoom(elements, 0.0f, room + " mgLength(320)");
+    source.add("obstacles/empty.lua", "");
+    const auto game = newTestGame(source);
+    return countOf(*game, nameOf(Omission::RefusedContent));
+  };
+  const std::string twice = "mgSegment('test/corridor', 0) mgSegment('test/corridor', -32)";
+  EXPECT_EQ(refused(repeated(351, "<obstacle pos=\"0 1 -9\" type=\"empty\"/>"), twice),
+            702u - rules::kMaxObstaclesPerRoom);
+  EXPECT_EQ(refused(repeated(40, "<water pos=\"0 0 -9\" size=\"1 1\"/>"), twice), 80u - rules::kMaxWatersPerRoom);
+  EXPECT_EQ(refused(repeated(150, "<powerup pos=\"0 1 -9\" type=\"barrel\"/>"), twice),
+            300u - rules::kMaxPickupsPerRoom);
+  const std::string parts = repeated(1000, "<box pos=\"0 -9 -1\" size=\"1 1 1\"/>") +
+                            "<box pos=\"0 0 0\" size=\"1 1 1\" hidden=\"1\"/><obstacle pos=\"0 0 -1\" type=\"stone\"/>"
+                            "<decal pos=\"0 0 0\"/><obstacle pos=\"0 1 -1\" type=\"empty\"/>";
+  EXPECT_EQ(refused(parts, "for i = 1, 2 do mgSegment('test/corridor', 0) end"), 1000u + 4 + 2)
+      << "the second with its walls, stone and decal; its obstacle has a place";
 }
 
 TEST(Omissions, ThrowsBeyondThoseOfAFrame) {

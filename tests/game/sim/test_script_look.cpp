@@ -51,7 +51,7 @@ TEST(ScriptLook, ADecalIsOnItsBodyAfterTheStep) {
   EXPECT_TRUE(game->problems().empty()) << game->problems().front().text;
   int asked = 0;
   for (const effects::Demand& demand : game->effects().demands())
-    asked += demand.effect == effects::Effect::Decals && demand.who == "tested.lua:11" ? 1 : 0;
+    asked += demand.effect == effects::Effect::Decals && demand.who == "obstacles/tested.lua:11" ? 1 : 0;
   EXPECT_EQ(asked, 1);
 }
 
@@ -118,7 +118,8 @@ TEST(ScriptLook, CallsThatChangeNothingSeenSaySoOnce) {
   const auto game = newTestGame(source);
   play(*game, 3);
   ASSERT_EQ(game->problems().size(), 4u);
-  EXPECT_NE(game->problems()[0].text.find("tested.lua:1: mgRoundness"), std::string::npos) << game->problems()[0].text;
+  EXPECT_NE(game->problems()[0].text.find("obstacles/tested.lua:1: mgRoundness"), std::string::npos)
+      << game->problems()[0].text;
 }
 
 }  // namespace

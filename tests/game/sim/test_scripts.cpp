@@ -12,8 +12,8 @@ bool hasProblem(const Game& game, const std::string& part) {
   return false;
 }
 
-content::MemorySource withObstacle(const std::string& script) {
-  content::MemorySource source = oneRoom("<obstacle pos=\"1.5 1 -10\" type=\"tested\" param0=\"size=0.25\"/>");
+content::MemorySource withObstacle(const std::string& script, const std::string& parameter = "") {
+  content::MemorySource source = oneRoom("<obstacle pos=\"1.5 1 -10\" type=\"tested\" " + parameter + "/>");
   source.add("obstacles/tested.lua", script);
   return source;
 }
@@ -22,7 +22,7 @@ TEST(Scripts, AnUnknownCallIsReportedAndPlayGoesOn) {
   const content::MemorySource source =
       withObstacle("function init() local b = mgCreateBody() mgCreateBox(b,1,1,1) mgWarpSpace(3) end");
   const auto game = newTestGame(source);
-  EXPECT_TRUE(hasProblem(*game, "tested.lua:1"));
+  EXPECT_TRUE(hasProblem(*game, "obstacles/tested.lua:1"));
   const auto problems = game->problems().size();
   play(*game, 200);
   EXPECT_EQ(game->problems().size(), problems);
@@ -278,7 +278,8 @@ function init()
   local r, g, b = mgGetColor("color", 0.5, 0.25, 1)
   assert(r == 0.5 and g == 0.25 and b == 1)
   assert(mgGetGravity() == 1)
-end)");
+end)",
+                                                    "param0=\"size=0.25\"");
   const auto game = newTestGame(source);
   EXPECT_TRUE(game->problems().empty()) << game->problems().front().text;
 }

@@ -76,7 +76,7 @@ TEST(SoundEvents, NumbersBeyondTheirRangeAreLimitedAndReported) {
   EXPECT_EQ(packet.rooms.front().lowPass, 1.0f);
   const std::string problems = problemsOf(*game);
   for (const char* line :
-       {"rooms/test/room.lua:1: argument 2 is 1e+09, expected 0 to 10", "argument 3 is -3, expected 0 to 1",
+       {"rooms/test/room.lua:1: mgReverb: argument 2 is 1e+09, expected 0 to 10", "argument 3 is -3, expected 0 to 1",
         "argument 3 is 7, expected 0 to 0.95", "argument 1 is 2, expected 0 to 1"})
     EXPECT_NE(problems.find(line), std::string::npos) << problems;
 }
