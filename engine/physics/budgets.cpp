@@ -45,8 +45,17 @@ void charge(State& state, BodyHandle striker, BodyHandle struck, float impulse) 
 void fadeBudgets(State& state, float dt) {
   const float keep = maxOf(0.0f, 1.0f - 60.0f * dt);
   std::erase_if(state.budgets, [&](Budget& budget) {
-    budget.spent *= keep;
-    return budget.spent < 1e-12f || !state.bodies.contains(budget.striker) || !state.bodies.contains(budget.struck);
+    const Body* struck = state.bodies.find(budget.struck);
+    if (struck == nullptr || !state.bodies.contains(budget.striker)) return true;
+    if (struck->brokenTick != state.tick) budget.spent *= keep;
+    return budget.spent < 1e-12f;
+  });
+}
+
+void closeBudgets(State& state) {
+  std::erase_if(state.budgets, [&](const Budget& budget) {
+    const Body* struck = state.bodies.find(budget.struck);
+    return struck != nullptr && struck->brokenTick == state.tick;
   });
 }
 

@@ -30,7 +30,11 @@ BodyHandle payerOf(const State& state, BodyHandle body);
 float spentOn(const State& state, BodyHandle striker, BodyHandle struck);
 /// Adds to what `striker` has spent on `struck`.
 void charge(State& state, BodyHandle striker, BodyHandle struck, float impulse);
-/// Lets last tick's spending fade: what counts is the last 1/60 s, whatever dt is. Once a tick.
+/// Lets spending fade: what counts is the last 1/60 s, whatever dt is. Once a sub-step. What was spent on something
+/// that breaks in this tick stays: whoever paid passes through what is left of it until the tick ends.
 void fadeBudgets(State& state, float dt);
+/// At the end of a tick: what was spent on something that broke went with the glass that bore it. What is left has its
+/// whole strength, or shards that slide down beside it would break it again and again with the rest.
+void closeBudgets(State& state);
 
 }  // namespace brittle::physics

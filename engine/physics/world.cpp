@@ -122,6 +122,7 @@ void World::step(float dt) {
   beginTick(state);
   const int substeps = maxOf(state.accuracy.substeps, 1);
   for (int i = 0; i < substeps; ++i) physics::step(state, dt / static_cast<float>(substeps));
+  if constexpr (effects::kHasFracture) closeBudgets(state);
   countWhatIsThere(state);
   ++state.tick;
 }

@@ -100,7 +100,7 @@ std::vector<Setting> knobSettings(bool quick) {
     return list.take();
   }
   list.sweep("fast rounds", &Accuracy::fastRounds, {0, 4, 8, 16, 64});
-  list.sweep("iterations", &Accuracy::iterations, {2, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 32, 64, 128, 256});
+  list.sweep("iterations", &Accuracy::iterations, {2, 4, 6, 8, 10, 16, 32, 64, 128, 256});
   list.sweep("substeps", &Accuracy::substeps, {1, 2, 3, 4, 8, 16});
   list.sweep("position iterations", &Accuracy::positionIterations, {0, 1, 3, 8, 16});
   addManifolds(list);

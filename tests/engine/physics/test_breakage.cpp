@@ -67,6 +67,30 @@ TEST(Breakage, HowFinelyGlassBreaksIsNoQuestionOfSweeps) {
   for (const int iterations : {9, 11, 12}) EXPECT_NEAR(piecesOf(iterations) / ten, 1.0, 0.15) << iterations;
 }
 
+/// Breakings of a standing pane that a ball goes through, within a second. It is so light that shards by themselves
+/// break nothing.
+std::uint32_t breaksOfOnePane(int substeps, float dt, const Vec3& at) {
+  WorldDef def;
+  def.accuracy.substeps = substeps;
+  World world(def);
+  addFloor(world);
+  BodyDef pane = bodyAt(Vec3(0.0f, 1.0f, 0.0f), BodyType::Static);
+  pane.breakable.strength = 20.0f;
+  world.anchor(addBox(world, pane, Vec3(1.5f, 1.0f, 0.015f), shapeDef(400.0f)));
+  addBall(world, at + Vec3(0.0f, 0.0f, 1.0f), Vec3(0.0f, 0.0f, -18.0f), 0.1f, 8.0f, 0.2f);
+  for (int tick = 0; tick < static_cast<int>(1.0f / dt); ++tick) world.step(dt);
+  return static_cast<std::uint32_t>(world.counters().totalBreaks);
+}
+
+// Shards that slide down beside the rest of the pane spend on the ball's account: while that still had what the first
+// breaking cost, the rest had no strength left, and broke once or twice more at eight sub-steps.
+TEST(Breakage, WhatBrokeIsPaidForWhateverTheStep) {
+  for (const Vec3& at : {Vec3(-0.43f, 0.64f, 0.0f), Vec3(0.2f, 1.0f, 0.0f), Vec3(0.77f, 0.8f, 0.0f)}) {
+    for (const int substeps : {1, 2, 4, 8}) EXPECT_EQ(breaksOfOnePane(substeps, kTick, at), 1u) << substeps;
+    for (const float part : {2.0f, 4.0f}) EXPECT_EQ(breaksOfOnePane(1, kTick / part, at), 1u) << part;
+  }
+}
+
 struct Shot {
   std::uint32_t breaks = 0;
   float exitSpeed = 0.0f;  // [m/s]
