@@ -144,13 +144,13 @@ std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& see
   return errors;
 }
 
-double scoreOf(const std::vector<Deviation>& errors) {
+double scoreOf(const std::vector<Deviation>& errors, double Deviation::*bound) {
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double tolerance = allFigures()[i].tolerance;
     if (tolerance == 0.0 || std::isnan(errors[i].value)) continue;
-    const double part = std::min(errors[i].value / tolerance, kWorst);
+    const double part = std::min(errors[i].*bound / tolerance, kWorst);
     sum += part * part;
     ++count;
   }

@@ -43,7 +43,7 @@ std::vector<Deviation> errorsOf(const std::vector<std::vector<Observation>>& see
 /// The errors as one number: root mean square of error / tolerance, each at most kWorst. 1: as much as one would
 /// notice.
 inline constexpr double kWorst = 10.0;
-double scoreOf(const std::vector<Deviation>& errors);
+double scoreOf(const std::vector<Deviation>& errors, double Deviation::*bound = &Deviation::value);
 
 /// Distance of two samples' distributions: the area between their cumulative distributions.
 double wassersteinOf(std::vector<float> a, std::vector<float> b);

@@ -88,6 +88,10 @@ std::vector<std::size_t> differentOf(const std::vector<Setting>& settings) {
   return different;
 }
 
+bool isAlwaysCheaper(const Cost& a, const Cost& b) {
+  return std::equal(a.rounds.begin(), a.rounds.end(), b.rounds.begin(), [](double x, double y) { return x < y; });
+}
+
 }  // namespace
 
 int Effort::variants(const Scene& scene) const {
@@ -125,7 +129,8 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
   std::vector<Scored> measured(different.size());
   for (std::size_t i = 0; i < different.size(); ++i) {
     measured[i].errors = errorsOf(taken[i].seen, reference);
-    measured[i].score = scoreOf(measured[i].errors);
+    measured[i].score = {scoreOf(measured[i].errors), scoreOf(measured[i].errors, &Deviation::low),
+                         scoreOf(measured[i].errors, &Deviation::high)};
     measured[i].cost = costOf(taken[i]);
   }
   markFront(measured);
@@ -140,12 +145,14 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
 }
 
 void markFront(std::vector<Scored>& scored) {
-  for (Scored& one : scored)
-    one.isFront = std::none_of(scored.begin(), scored.end(), [&](const Scored& other) {
-      const std::vector<double>& mine = one.cost.rounds;
-      return other.score < one.score && std::equal(mine.begin(), mine.end(), other.cost.rounds.begin(),
-                                                   [](double own, double others) { return others < own; });
+  const auto isAny = [&](auto&& test) { return std::any_of(scored.begin(), scored.end(), test); };
+  for (Scored& one : scored) {
+    one.isFront = !isAny([&](const Scored& other) {
+      return other.score.value < one.score.value && other.cost.perSecond < one.cost.perSecond;
     });
+    one.isBeaten = isAny(
+        [&](const Scored& other) { return other.score.high < one.score.low && isAlwaysCheaper(other.cost, one.cost); });
+  }
 }
 
 double quantileOf(std::vector<double> values, double part) {

@@ -35,9 +35,10 @@ struct Cost {
 struct Scored {
   Setting setting;
   std::vector<Deviation> errors;  // as allFigures
-  double score = 0.0;
+  Deviation score;
   Cost cost;
-  bool isFront = false;  // no other setting is better and, in every round, cheaper
+  bool isFront = false;   // no other setting is both cheaper and better
+  bool isBeaten = false;  // another is cheaper in every round, and better by more than the seeds explain
 };
 
 /// A step of the work is done.
@@ -51,8 +52,7 @@ Result<std::vector<Scored>> study(const std::vector<Setting>& settings, const Re
 /// How often `study` calls advance.
 int stepsOf(const std::vector<Setting>& settings, const Effort& effort);
 
-/// Marks what no other setting beats in both time and score: in time only if it does so in every round, on the same
-/// seeds.
+/// Compares every setting with every other.
 void markFront(std::vector<Scored>& scored);
 
 /// The value below which `part` of the values lie. 0: there are none.

@@ -9,12 +9,13 @@ namespace {
 
 Csv settingsOf(const Outcome& outcome) {
   Csv csv({"knob", "value", "order", "default", "front", "score", "ms_per_s", "ms_per_s_least", "ms_per_s_most",
-           "median_tick_ms", "p99_tick_ms", "instructions_per_s", "room_median_ms", "room_p99_ms", "room_breaks"});
+           "median_tick_ms", "p99_tick_ms", "instructions_per_s", "room_median_ms", "room_p99_ms", "room_breaks",
+           "score_low", "score_high", "beaten"});
   for (const Scored& one : outcome.scored)
     csv.row() << one.setting.knob << one.setting.value << double(one.setting.order) << double(one.setting.isDefault)
-              << double(one.isFront) << one.score << one.cost.perSecond << one.cost.low << one.cost.high
+              << double(one.isFront) << one.score.value << one.cost.perSecond << one.cost.low << one.cost.high
               << one.cost.medianTick << one.cost.p99Tick << one.cost.instructions << one.cost.roomMedian
-              << one.cost.roomP99 << one.cost.roomBreaks;
+              << one.cost.roomP99 << one.cost.roomBreaks << one.score.low << one.score.high << double(one.isBeaten);
   return csv;
 }
 
@@ -79,7 +80,7 @@ Csv budgetOf(const std::vector<BudgetRow>& rows) {
   Csv csv({"budget_ms", "setting", "score", "room_p99_ms", "ms_per_s"});
   for (const BudgetRow& row : rows) {
     if (row.best == nullptr) continue;
-    csv.row() << row.budget << row.best->setting.knob + " " + row.best->setting.value << row.best->score
+    csv.row() << row.budget << row.best->setting.knob + " " + row.best->setting.value << row.best->score.value
               << row.best->cost.roomP99 << row.best->cost.perSecond;
   }
   return csv;
@@ -92,7 +93,8 @@ std::vector<BudgetRow> budgetsOf(const std::vector<Scored>& scored) {
   for (const double budget : {0.5, 1.0, 2.0, 4.0, 8.0}) {
     BudgetRow row{budget, nullptr};
     for (const Scored& one : scored)
-      if (one.cost.roomP99 <= budget && (row.best == nullptr || one.score < row.best->score)) row.best = &one;
+      if (one.cost.roomP99 <= budget && (row.best == nullptr || one.score.value < row.best->score.value))
+        row.best = &one;
     rows.push_back(row);
   }
   return rows;
