@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/core/random.h"
 
@@ -17,62 +18,61 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-double reduced(const Figure& figure, const std::vector<Observation>& seen) {
+/// Which variants of a scene.
+using Sample = std::vector<std::uint32_t>;
+
+/// The figure over these: their worst or their mean.
+double reduced(const Figure& figure, const std::vector<Observation>& seen, const Sample& sample) {
   std::vector<double> values;
-  for (const Observation& one : seen) values.push_back(figure.of(one));
+  for (const std::uint32_t i : sample) values.push_back(figure.of(seen[i]));
   return figure.isWorst ? *std::max_element(values.begin(), values.end()) : mean(values);
 }
 
-/// All variants' speeds, or those of the variants named.
-std::vector<float> speedsOf(const std::vector<Observation>& seen, const std::vector<std::uint32_t>& variants) {
+std::vector<float> speedsOf(const std::vector<Observation>& seen, const Sample& sample) {
   std::vector<float> all;
-  for (const std::uint32_t i : variants) all.insert(all.end(), seen[i].speeds.begin(), seen[i].speeds.end());
+  for (const std::uint32_t i : sample) all.insert(all.end(), seen[i].speeds.begin(), seen[i].speeds.end());
   return all;
 }
 
 double speedError(const std::vector<Observation>& seen, const std::vector<Observation>& reference,
-                  const std::vector<std::uint32_t>& variants) {
-  const std::vector<float> expected = speedsOf(reference, variants);
+                  const Sample& sample) {
+  const std::vector<float> expected = speedsOf(reference, sample);
   double sum = 0.0;
   for (const float speed : expected) sum += static_cast<double>(speed);
   if (sum == 0.0) return 0.0;
-  return 100.0 * wassersteinOf(speedsOf(seen, variants), expected) * static_cast<double>(expected.size()) / sum;
+  return 100.0 * wassersteinOf(speedsOf(seen, sample), expected) * static_cast<double>(expected.size()) / sum;
 }
 
-/// With the bounds that resampling the variants gives (bootstrap: Efron, Bootstrap Methods, 1979).
-Deviation speedErrorWithBounds(const std::vector<Observation>& seen, const std::vector<Observation>& reference) {
-  const auto count = static_cast<std::uint32_t>(std::min(seen.size(), reference.size()));
-  std::vector<std::uint32_t> variants(count);
-  for (std::uint32_t i = 0; i < count; ++i) variants[i] = i;
-  Deviation error;
-  error.value = speedError(seen, reference, variants);
-  Random random(5);
-  std::vector<double> resampled;
-  for (int sample = 0; sample < kResamples; ++sample) {
-    for (std::uint32_t& variant : variants) variant = random.nextBelow(count);
-    resampled.push_back(speedError(seen, reference, variants));
-  }
-  std::sort(resampled.begin(), resampled.end());
-  error.low = std::min(error.value, resampled[kResamples * 25 / 1000]);
-  error.high = std::max(error.value, resampled[kResamples * 975 / 1000]);
-  return error;
+double errorOver(const Figure& figure, const std::vector<Observation>& seen, const std::vector<Observation>& reference,
+                 const Sample& sample) {
+  if (figure.compared == Compared::AsSpeeds) return speedError(seen, reference, sample);
+  const double value = reduced(figure, seen, sample);
+  if (figure.compared == Compared::WithExact) return value;
+  const double expected = reduced(figure, reference, sample);
+  return 100.0 * std::abs(value - expected) / std::max(std::abs(expected), 1e-12);
 }
 
+/// What is no worst case has the bounds that resampling the variants gives (bootstrap: Efron, Bootstrap Methods, 1979).
 Deviation errorOf(const Figure& figure, const std::vector<Observation>& seen,
                   const std::vector<Observation>& reference) {
   if (seen.empty() || reference.empty()) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none, none};
   }
-  if (figure.compared == Compared::AsSpeeds) return speedErrorWithBounds(seen, reference);
-  double value = reduced(figure, seen);
-  if (figure.compared == Compared::WithReference) {
-    const std::vector<Observation> same(
-        reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(std::min(seen.size(), reference.size())));
-    const double expected = reduced(figure, same);
-    value = 100.0 * std::abs(value - expected) / std::max(std::abs(expected), 1e-12);
+  const auto count = static_cast<std::uint32_t>(std::min(seen.size(), reference.size()));
+  Sample sample(count);
+  std::iota(sample.begin(), sample.end(), 0u);
+  const double value = errorOver(figure, seen, reference, sample);
+  if (figure.isWorst || count == 1) return {value, value, value};
+  Random random(5);
+  std::vector<double> resampled;
+  for (int i = 0; i < kResamples; ++i) {
+    for (std::uint32_t& variant : sample) variant = random.nextBelow(count);
+    resampled.push_back(errorOver(figure, seen, reference, sample));
   }
-  return {value, value, value};
+  std::sort(resampled.begin(), resampled.end());
+  return {value, std::min(value, resampled[kResamples * 25 / 1000]),
+          std::max(value, resampled[kResamples * 975 / 1000])};
 }
 
 double exitSpeed(const Observation& seen) {
