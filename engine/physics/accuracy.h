@@ -68,10 +68,9 @@ struct Accuracy {
 bool isWithinRange(const Accuracy& accuracy);
 
 /// Named settings, from the cheapest to the most accurate: points on the front of error against time that
-/// tools/accuracy measures, its report says why; but `balanced`, the default, which lies beside it. Budgets of pieces
-/// and debris are by what lives in the shipped rooms when somebody throws at everything there is: at most 473 pieces
-/// and 283 crumbs as balanced, where the budgets bind only in fuller rooms; on a phone 172 and 259, of which the
-/// fullest moments are cut.
+/// tools/accuracy measures, as far as its seeds tell; its report says why. Budgets of pieces and debris are by what
+/// lives in the shipped rooms when somebody throws at everything there is: at most 473 pieces and 283 crumbs as
+/// balanced, where the budgets bind only in fuller rooms; on a phone 172 and 259, of which the fullest moments are cut.
 std::span<const std::string_view> presetNames();
 /// None of that name: nothing.
 std::optional<Accuracy> preset(std::string_view name);
