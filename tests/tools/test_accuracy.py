@@ -85,9 +85,11 @@ class Quick(unittest.TestCase):
                 self.assertLess(10 * self.panes("1", 6, speed), self.panes(way, 6, speed), way)
 
     def test_iterations_and_substeps_bring_stacks_and_pendulums_nearer_to_what_is_exact(self):
-        stack = [self.error("iterations", value, "stack", "displacement") for value in ("2", "10", "32")]
-        self.assertEqual(stack, sorted(stack, reverse=True))
-        self.assertLess(stack[2], 0.2 * stack[0])
+        for value in ("2", "10", "32"):  # what stands is held, whatever the sweeps leave
+            self.assertLess(self.error("iterations", value, "stack", "displacement"), 0.1, value)
+        packed = [self.error("iterations", value, "packed", "displacement") for value in ("2", "10", "32")]
+        self.assertEqual(packed, sorted(packed, reverse=True))
+        self.assertLess(packed[2], 0.2 * packed[0])
         for scene, figure, part in [("stack", "displacement", 0.2), ("swing", "angle", 0.3), ("packed", "displacement", 0.2)]:
             errors = [self.error("substeps", value, scene, figure) for value in ("1", "2", "4")]
             self.assertEqual(errors, sorted(errors, reverse=True), scene)
@@ -136,7 +138,7 @@ class Quick(unittest.TestCase):
         for setting, count in counted.items():
             self.assertGreater(count, 1e7, setting)
         self.assertEqual(counted[("iterations", "10")], counted[("preset", "balanced")], "the same settings")
-        self.assertGreater(counted[("substeps", "4")], 1.5 * counted[("substeps", "1")])
+        self.assertGreater(counted[("iterations", "32")], 1.5 * counted[("iterations", "2")])
 
     def test_better_presets_are_better(self):
         presets = [row["value"] for row in self.rows("settings") if row["knob"] == "preset"]
